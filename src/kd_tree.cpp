@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include "kd_tree.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "parallel.hpp"
+
+namespace deburr {
+namespace {
+
+constexpr std::uint32_t leaf_size = 12;
+constexpr std::uint32_t any_index = std::numeric_limits<std::uint32_t>::max();
+
+}  // namespace
+
+KdTree::KdTree(Points points, const Execution& execution)
+    : points_(points), order_(points.size()), sorted_(points.size()) {
+  std::iota(order_.begin(), order_.end(), 0U);
+  if (!points.empty()) {
+    nodes_.reserve(4 * (points.size() / leaf_size + 1));
+    build(0, static_cast<std::uint32_t>(points.size()), execution);
+  }
+  for (std::size_t i = 0; i < order_.size(); ++i) sorted_[i] = points_[order_[i]];
+}
+
+void KdTree::build(std::uint32_t begin, std::uint32_t end, const Execution& execution) {
+  if (end - begin > block_size) check_cancelled(execution);
+  const std::size_t self = nodes_.size();
+  Box box;
+  std::uint32_t smallest = order_[begin];
+  for (std::uint32_t i = begin; i < end; ++i) {
+    box.add(points_[order_[i]]);
+    smallest = std::min(smallest, order_[i]);
+  }
+  nodes_.push_back({box, begin, end, 0, smallest});
+  if (end - begin <= leaf_size) return;
+
+  // Points at one place are split by index, so that a search among them ends early too.
+  const Vec3 extent = half_extent(box);
+  const double largest = std::max({extent.x, extent.y, extent.z});
+  const double Vec3::*axis = extent.x == largest   ? &Vec3::x
+                             : extent.y == largest ? &Vec3::y
+                                                   : &Vec3::z;
+  const std::uint32_t middle = begin + (end - begin) / 2;
+  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+                   [&](std::uint32_t a, std::uint32_t b) {
+                     const double va = points_[a].*axis;
+                     const double vb = points_[b].*axis;
+                     return va != vb ? va < vb : a < b;
+                   });
+  build(begin, middle, execution);
+  nodes_[self].right = static_cast<std::uint32_t>(nodes_.size());
+  build(middle, end, execution);
+}
+
+/// Visits the points of every box that can hold a point up to `limit`, which visits may lower.
+template <typename Visit>
+void KdTree::search(std::uint32_t node, const Vec3& at, const Found& limit,
+                    const Visit& visit) const {
+  const Node& n = nodes_[node];
+  if (n.right == 0) {
+    for (std::uint32_t i = n.begin; i < n.end; ++i) {
+      visit(Found{squared_norm(sorted_[i] - at), order_[i]});
+    }
+    return;
+  }
+  const std::uint32_t left = node + 1;
+  const double to_left = squared_distance(at, nodes_[left].box);
+  const double to_right = squared_distance(at, nodes_[n.right].box);
+  const bool left_first = to_left <= to_right;
+  const auto descend = [&](std::uint32_t child, double distance) {
+    if (!(limit < Found{distance, nodes_[child].smallest})) search(child, at, limit, visit);
+  };
+  descend(left_first ? left : n.right, left_first ? to_left : to_right);
+  descend(left_first ? n.right : left, left_first ? to_right : to_left);
+}
+
+void KdTree::nearest(std::uint32_t query, std::size_t count, double squared_radius,
+                     std::vector<Found>& found) const {
+  found.clear();
+  if (count == 0 || nodes_.empty()) return;
+  // A max-heap of the best so far, with the worst in front.
+  Found limit{squared_radius, any_index};
+  search(0, points_[query], limit, [&](const Found& f) {
+    if (f.index == query || limit < f) return;
+    if (found.size() == count) {
+      std::pop_heap(found.begin(), found.end());
+      found.pop_back();
+    }
+    found.push_back(f);
+    std::push_heap(found.begin(), found.end());
+    if (found.size() == count) limit = found.front();
+  });
+  std::sort_heap(found.begin(), found.end());
+}
+
+void KdTree::within(std::uint32_t query, double squared_radius, std::vector<Found>& found) const {
+  found.clear();
+  if (nodes_.empty()) return;
+  const Found limit{squared_radius, any_index};
+  search(0, points_[query], limit, [&](const Found& f) {
+    if (f.squared_distance <= squared_radius && f.index != query) found.push_back(f);
+  });
+  std::sort(found.begin(), found.end());
+}
+
+std::size_t KdTree::count_within(std::uint32_t query, double squared_radius) const {
+  if (nodes_.empty()) return 0;
+  const Vec3& at = points_[query];
+  std::size_t count = 0;
+  std::vector<std::uint32_t> open{0};
+  while (!open.empty()) {
+    const std::uint32_t node = open.back();
+    const Node& n = nodes_[node];
+    open.pop_back();
+    if (squared_distance(at, n.box) > squared_radius) continue;
+    if (squared_distance_to_farthest(at, n.box) <= squared_radius) {
+      count += n.end - n.begin;
+    } else if (n.right == 0) {
+      for (std::uint32_t i = n.begin; i < n.end; ++i) {
+        count += squared_norm(sorted_[i] - at) <= squared_radius ? 1 : 0;
+      }
+    } else {
+      open.push_back(node + 1);
+      open.push_back(n.right);
+    }
+  }
+  return count - 1;  // the query itself
+}
+
+}  // namespace deburr

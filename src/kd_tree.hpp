@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "box.hpp"
+#include "deburr/execution.hpp"
+#include "deburr/vec3.hpp"
+
+namespace deburr {
+
+/// A neighbour found by a search. The order (distance, index) makes results unique.
+struct Found {
+  double squared_distance;
+  std::uint32_t index;
+
+  friend bool operator<(const Found& a, const Found& b) {
+    if (a.squared_distance != b.squared_distance) return a.squared_distance < b.squared_distance;
+    return a.index < b.index;
+  }
+};
+
+/// A balanced k-d tree over points that are all finite. Which points a search finds, and in which
+/// order, is defined by (distance, index) alone.
+class KdTree {
+ public:
+  explicit KdTree(Points points, const Execution& execution = {});
+
+  /// The `count` nearest other points of point `query` no farther than sqrt(squared_radius),
+  /// appended to the cleared `found` in ascending order.
+  void nearest(std::uint32_t query, std::size_t count, double squared_radius,
+               std::vector<Found>& found) const;
+
+  /// All other points of point `query` no farther than sqrt(squared_radius), likewise.
+  void within(std::uint32_t query, double squared_radius, std::vector<Found>& found) const;
+
+  /// Number of points that within() finds; does not visit points of boxes wholly inside.
+  [[nodiscard]] std::size_t count_within(std::uint32_t query, double squared_radius) const;
+
+  /// Indices of the points along the leaves: near in this order means near in space.
+  [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
+
+ private:
+  /// A node owns order_[begin, end); its children, if any, split that at the middle.
+  struct Node {
+    Box box;
+    std::uint32_t begin, end;
+    std::uint32_t right;     ///< index of the right child, the left one is next; 0 for a leaf
+    std::uint32_t smallest;  ///< smallest index of a point in here
+  };
+
+  void build(std::uint32_t begin, std::uint32_t end, const Execution& execution);
+  template <typename Visit>
+  void search(std::uint32_t node, const Vec3& at, const Found& limit, const Visit& visit) const;
+
+  Points points_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Vec3> sorted_;  ///< points_ along order_, to be read in one go
+  std::vector<Node> nodes_;
+};
+
+}  // namespace deburr

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include "deburr/neighborhoods.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include "deburr/error.hpp"
+#include "kd_tree.hpp"
+#include "parallel.hpp"
+
+namespace deburr {
+
+Neighborhoods::Neighborhoods(std::vector<std::size_t> offsets, std::vector<std::uint32_t> indices)
+    : offsets_(std::move(offsets)), indices_(std::move(indices)) {
+  const bool partition = offsets_.empty()
+                             ? indices_.empty()
+                             : offsets_.front() == 0 && offsets_.back() == indices_.size() &&
+                                   std::is_sorted(offsets_.begin(), offsets_.end());
+  if (!partition) throw std::invalid_argument("neighborhoods.offsets do not partition the indices");
+}
+
+Neighborhoods find_neighbors(Points points, const NeighborOptions& options,
+                             const Execution& execution) {
+  if (!(options.radius >= 0) || !(options.radius <= std::numeric_limits<double>::max())) {
+    throw std::invalid_argument(
+        fmt::format("neighbors.radius must be finite and >= 0, got {}", options.radius));
+  }
+  if (options.max_count == 0 && options.radius == 0) {
+    throw std::invalid_argument("neighbors.max_count and neighbors.radius must not both be 0");
+  }
+  if (points.size() > std::numeric_limits<std::uint32_t>::max()) {
+    throw std::invalid_argument(
+        fmt::format("points must be fewer than 2^32, got {}", points.size()));
+  }
+  const auto bad = std::find_if_not(points.begin(), points.end(), is_finite);
+  if (bad != points.end()) {
+    throw std::invalid_argument(
+        fmt::format("points[{}] is not finite", std::distance(points.begin(), bad)));
+  }
+
+  const KdTree tree(points, execution);
+  const double squared_radius = options.radius > 0 ? options.radius * options.radius
+                                                   : std::numeric_limits<double>::infinity();
+  const auto find = [&](std::size_t i, std::vector<Found>& found) {
+    const auto query = static_cast<std::uint32_t>(i);
+    if (options.max_count > 0) {
+      tree.nearest(query, options.max_count, squared_radius, found);
+    } else {
+      tree.within(query, squared_radius, found);
+    }
+  };
+
+  const auto count = [&](std::size_t i) {
+    const std::size_t all = options.radius > 0
+                                ? tree.count_within(static_cast<std::uint32_t>(i), squared_radius)
+                                : points.size() - 1;
+    return options.max_count > 0 ? std::min(all, options.max_count) : all;
+  };
+
+  // Counting first tells what memory is needed before any is taken. Along the leaves of the tree
+  // one search warms the cache for the next.
+  const std::vector<std::uint32_t>& order = tree.order();
+  std::vector<std::size_t> offsets(points.size() + 1);
+  parallel_for(points.size(), sub_execution(execution, "neighbourhoods", 0, 0.3),
+               [&](std::size_t at) { offsets[order[at] + 1] = count(order[at]); });
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  if (offsets.back() > max_pairs) {
+    throw DataError(fmt::format(
+        "the neighbourhoods of {} points within a radius of {} hold {} pairs, more than the {} "
+        "that are allowed",
+        points.size(), options.radius, offsets.back(), max_pairs));
+  }
+  std::vector<std::uint32_t> indices(offsets.back());
+  parallel_blocks(points.size(), sub_execution(execution, "neighbourhoods", 0.3, 1),
+                  [&](std::size_t begin, std::size_t end) {
+                    std::vector<Found> found;
+                    for (std::size_t at = begin; at < end; ++at) {
+                      const std::size_t i = order[at];
+                      find(i, found);
+                      for (std::size_t k = 0; k < found.size(); ++k) {
+                        indices[offsets[i] + k] = found[k].index;
+                      }
+                    }
+                  });
+  return {std::move(offsets), std::move(indices)};
+}
+
+double mean_neighbor_distance(Points points, const Neighborhoods& neighborhoods,
+                              const Execution& execution) {
+  if (points.size() != neighborhoods.size()) {
+    throw std::invalid_argument(fmt::format("points and neighborhoods differ in size: {} and {}",
+                                            points.size(), neighborhoods.size()));
+  }
+  if (neighborhoods.pair_count() == 0) return 0;
+  const double sum = parallel_sum(points.size(), execution, [&](std::size_t i) {
+    double distances = 0;
+    for (const std::uint32_t j : neighborhoods[i]) distances += norm(points[j] - points[i]);
+    return distances;
+  });
+  return sum / static_cast<double>(neighborhoods.pair_count());
+}
+
+}  // namespace deburr

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "deburr/error.hpp"
+#include "deburr/execution.hpp"
+
+// The only place that knows of threads. Every loop writes item i from item i, and sums are added in
+// a fixed order, so that results have the same bits for any number of threads.
+
+namespace deburr {
+
+/// Items that are worked on, or summed, as one.
+inline constexpr std::size_t block_size = 1024;
+
+/// Throws Cancelled if the caller has asked to stop.
+inline void check_cancelled(const Execution& execution) {
+  if (execution.cancelled && execution.cancelled()) throw Cancelled();
+}
+
+/// Number of threads that `execution` asks for.
+inline int thread_count(const Execution& execution) {
+  if (execution.threads < 0) {
+    throw std::invalid_argument("threads must be >= 0, got " + std::to_string(execution.threads));
+  }
+  return execution.threads > 0 ? execution.threads : tbb::this_task_arena::max_concurrency();
+}
+
+/// The part [from, to] of the progress of `whole`, under the name of a stage.
+inline Execution sub_execution(const Execution& whole, std::string_view stage, double from,
+                               double to) {
+  Execution part = whole;
+  if (whole.progress) {
+    part.progress = [progress = whole.progress, stage, from, to](const Progress& inner) {
+      progress({stage, from + (to - from) * inner.fraction});
+    };
+  }
+  return part;
+}
+
+/// Runs `work`, in which TBB uses the threads that `execution` asks for.
+template <typename Work>
+void with_threads(const Execution& execution, const Work& work) {
+  const auto threads = static_cast<std::size_t>(thread_count(execution));
+  // More threads than cores are wanted where results are tested against their number.
+  const auto limit = tbb::global_control::max_allowed_parallelism;
+  const tbb::global_control allow(limit,
+                                  std::max(threads, tbb::global_control::active_value(limit)));
+  tbb::task_arena arena(static_cast<int>(threads));
+  arena.execute(work);
+}
+
+/// Sorts values that are all different, so that the result does not depend on the threads.
+template <typename Value>
+void parallel_sort(std::vector<Value>& values, const Execution& execution) {
+  const auto less = [&](const Value& a, const Value& b) {
+    // A sort of many millions takes seconds, and has no other place to stop at.
+    thread_local std::uint32_t comparisons = 0;
+    if (++comparisons % (64 * block_size) == 0) check_cancelled(execution);
+    return a < b;
+  };
+  with_threads(execution, [&] { tbb::parallel_sort(values.begin(), values.end(), less); });
+}
+
+/// Calls body(begin, end) on blocks that cover [0, n); any exception is thrown on to the caller.
+template <typename Body>
+void parallel_blocks(std::size_t n, const Execution& execution, const Body& body) {
+  // Progress is told on the caller's thread, so the loop comes back to it now and then.
+  constexpr std::size_t stretch = 64 * block_size;
+  for (std::size_t from = 0; from < n; from += stretch) {
+    const std::size_t to = std::min(n, from + stretch);
+    const std::size_t blocks = (to - from + block_size - 1) / block_size;
+    check_cancelled(execution);
+    with_threads(execution, [&] {
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(0, blocks, 1),
+          [&](const tbb::blocked_range<std::size_t>& range) {
+            for (std::size_t b = range.begin(); b != range.end(); ++b) {
+              check_cancelled(execution);
+              const std::size_t begin = from + b * block_size;
+              body(begin, std::min(to, begin + block_size));
+            }
+          },
+          tbb::simple_partitioner());
+    });
+    if (execution.progress) {
+      execution.progress({"", static_cast<double>(to) / static_cast<double>(n)});
+    }
+  }
+}
+
+/// Calls body(i) for every i in [0, n).
+template <typename Body>
+void parallel_for(std::size_t n, const Execution& execution, const Body& body) {
+  parallel_blocks(n, execution, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) body(i);
+  });
+}
+
+/// Sum of term(i) over [0, n): first within blocks, then over the blocks, both in order.
+template <typename Term>
+double parallel_sum(std::size_t n, const Execution& execution, const Term& term) {
+  std::vector<double> sums((n + block_size - 1) / block_size);
+  parallel_blocks(n, execution, [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t i = begin; i < end; ++i) sum += term(i);
+    sums[begin / block_size] = sum;
+  });
+  double total = 0;
+  for (const double sum : sums) total += sum;
+  return total;
+}
+
+}  // namespace deburr
