@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+namespace deburr {
+
+inline constexpr std::string_view blanks = " \t\r\v\f";
+
+inline constexpr bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+inline std::string_view trim(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
+/// Takes the next run of non-blank characters off the front of `rest`; empty at its end.
+inline std::string_view next_token(std::string_view& rest) {
+  const auto* const begin = std::find_if_not(rest.begin(), rest.end(), is_blank);
+  const auto* const end = std::find_if(begin, rest.end(), is_blank);
+  const std::string_view token(begin, end);
+  rest = std::string_view(end, rest.end());
+  return token;
+}
+
+/// Goes through the lines of a text, which end with "\n" or "\r\n".
+class Lines {
+ public:
+  explicit Lines(std::string_view text, std::size_t offset = 0, std::size_t number = 0)
+      : text_(text), offset_(offset), number_(number) {}
+
+  /// Steps to the next line; false at the end of the text.
+  bool next() {
+    if (offset_ >= text_.size()) return false;
+    const std::size_t end = std::min(text_.find('\n', offset_), text_.size());
+    line_ = trim(text_.substr(offset_, end - offset_));
+    offset_ = end + 1;
+    ++number_;
+    return true;
+  }
+  /// Steps to the next line that is not blank.
+  bool next_full() {
+    while (next()) {
+      if (!line_.empty()) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] std::string_view line() const { return line_; }     ///< without outer blanks
+  [[nodiscard]] std::size_t number() const { return number_; }      ///< from 1
+  [[nodiscard]] std::size_t end_offset() const { return offset_; }  ///< of the line after this
+
+ private:
+  std::string_view text_;
+  std::string_view line_;
+  std::size_t offset_;
+  std::size_t number_;
+};
+
+}  // namespace deburr

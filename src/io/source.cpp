@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/source.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <string_view>
+#include <system_error>
+
+#include "deburr/error.hpp"
+
+namespace deburr {
+namespace {
+
+/// Closes a file descriptor.
+struct Descriptor {
+  int fd;
+  explicit Descriptor(int opened) : fd(opened) {}
+  ~Descriptor() {
+    if (fd >= 0) ::close(fd);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+};
+
+struct Magic {
+  std::string_view start;
+  std::string_view name;
+};
+
+constexpr std::array<Magic, 17> other_formats{{{"LASF", "a LAS or LAZ file"},
+                                               {"# .PCD", "a PCD file"},
+                                               {"VERSION", "a PCD file"},
+                                               {"ASTM-E57", "an E57 file"},
+                                               {"solid", "an STL file"},
+                                               {"OFF", "an OFF file"},
+                                               {"COFF", "an OFF file"},
+                                               {"v ", "an OBJ file"},
+                                               {"mtllib", "an OBJ file"},
+                                               {"# vtk", "a VTK file"},
+                                               {"glTF", "a glTF file"},
+                                               {"PK\x03\x04", "a ZIP archive"},
+                                               {"\x1f\x8b", "a gzip archive"},
+                                               {"\xff\xfe", "UTF-16 text"},
+                                               {"\xfe\xff", "UTF-16 text"},
+                                               {"<", "XML or HTML"},
+                                               {"{", "JSON"}}};
+
+}  // namespace
+
+void Source::check_cancelled() const {
+  if (cancelled && cancelled()) throw Cancelled();
+}
+
+void Source::fail(const std::string& what) const { throw IoError(path, what); }
+
+Source load(const std::filesystem::path& path, const std::function<bool()>& cancelled) {
+  Source source{path, {}, cancelled};
+  const auto fail = [&] { source.fail(std::generic_category().message(errno)); };
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  struct stat status {};
+  if (file.fd < 0 || ::fstat(file.fd, &status) != 0) fail();
+
+  constexpr std::size_t block = std::size_t{1} << 24;
+  std::size_t size = 0;
+  // One byte more than the file has, so that its end is seen without growing.
+  source.data.resize(S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) + 1
+                                             : block);
+  for (;;) {
+    source.check_cancelled();
+    if (size == source.data.size()) source.data.resize(2 * size);
+    const ssize_t got =
+        ::read(file.fd, source.data.data() + size, std::min(block, source.data.size() - size));
+    if (got == 0) break;
+    if (got > 0) size += static_cast<std::size_t>(got);
+    if (got < 0 && errno != EINTR) fail();
+  }
+  source.data.resize(size);
+  return source;
+}
+
+std::string name_of_other_format(const std::string& data) {
+  for (const auto& [start, name] : other_formats) {
+    if (data.starts_with(start)) return std::string(name);
+  }
+  const std::string_view head = std::string_view(data).substr(0, 65536);
+  const auto is_binary = [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < 32 && std::string_view("\t\n\v\f\r\x1a").find(c) == std::string_view::npos) ||
+           byte == 127;
+  };
+  return std::any_of(head.begin(), head.end(), is_binary) ? "binary data" : "";
+}
+
+}  // namespace deburr

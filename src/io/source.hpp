@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace deburr {
+
+/// A file in memory, with what a reader needs beside it.
+struct Source {
+  std::filesystem::path path;
+  std::string data;
+  std::function<bool()> cancelled;
+
+  /// Throws Cancelled if the caller has asked to stop.
+  void check_cancelled() const;
+  /// Throws an IoError about this file.
+  [[noreturn]] void fail(const std::string& what) const;
+};
+
+/// Reads a whole file, or a pipe up to its end.
+/// @throws IoError  if it cannot be read
+[[nodiscard]] Source load(const std::filesystem::path& path,
+                          const std::function<bool()>& cancelled = {});
+
+/// Name of the kind of file for those that are often taken for a point cloud, else empty.
+[[nodiscard]] std::string name_of_other_format(const std::string& data);
+
+}  // namespace deburr

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "deburr/error.hpp"
+#include "io/fields.hpp"
+#include "io/format.hpp"
+#include "io/lines.hpp"
+#include "io/numbers.hpp"
+#include "io/text.hpp"
+
+namespace deburr {
+namespace {
+
+/// Appends text so that it is read back as one field.
+void append_field(std::string& line, const std::string& text, char separator) {
+  const bool at_blanks = separator == ' ' || separator == '\t';
+  const bool plain = at_blanks ? !text.empty() && text.find_first_of(blanks) == std::string::npos
+                               : text == trim(text) && text.find(separator) == std::string::npos;
+  const bool is_comment = text.starts_with('#') || text.starts_with("//");
+  if (plain && !is_comment && text.find_first_of("\"\n\r") == std::string::npos) {
+    line += text;
+    return;
+  }
+  line += '"';
+  for (const char c : text) {
+    if (c == '"') line += '"';
+    line += c == '\n' ? ' ' : c;  // the reader knows no field of two lines
+  }
+  line += '"';
+}
+
+/// Appends one value of an attribute. A real number keeps a point, so that it is read as one.
+void append_value(std::string& line, const Attribute& attribute, std::size_t i, char separator) {
+  std::visit(
+      [&]<typename T>(const std::vector<T>& values) {
+        if constexpr (std::is_same_v<T, std::string>) {
+          append_field(line, values[i], separator);
+        } else {
+          const std::size_t begin = line.size();
+          append_number(line, values[i]);
+          if (std::floating_point<T> && is_integer(std::string_view(line).substr(begin))) {
+            line += ".0";
+          }
+        }
+      },
+      attribute.values);
+}
+
+class TextWriter {
+ public:
+  TextWriter(AtomicFile& file, const std::filesystem::path& path, const PointCloud& cloud,
+             const std::function<bool()>& cancelled)
+      : file_(file), cloud_(cloud), cancelled_(cancelled), columns_(columns_of(cloud)) {
+    const bool is_text_layout = cloud.layout.encoding == Encoding::Text;
+    const bool is_pts = lower_extension(path) == ".pts";
+    if (is_text_layout) {
+      layout_ = cloud.layout.text;
+    } else {
+      layout_.separator = lower_extension(path) == ".csv" ? ',' : ' ';
+      layout_.count_line = is_pts;
+    }
+    layout_.count_line = layout_.count_line && is_pts;
+    drop_what_text_cannot_hold();
+    if (is_text_layout && layout_.header == TextHeader::None) {
+      // Without names, nobody could tell what a new column is.
+      std::erase_if(columns_, [](const Column& c) { return !c.in_layout; });
+    } else if (!is_text_layout && !explains_itself()) {
+      layout_.header = TextHeader::Plain;
+    }
+    // A file without any content could not be read again.
+    if (cloud.size() == 0 && !layout_.count_line && layout_.header == TextHeader::None) {
+      layout_.header = TextHeader::Plain;
+    }
+  }
+
+  std::vector<std::string> write() {
+    write_head();
+    for (std::size_t i = 0; i < cloud_.size(); ++i) {
+      if (i % 4096 == 0) flush();
+      for (const Column& c : columns_) {
+        if (c.role != no_role) {
+          append_number(buffer_, c.coordinate(i));
+        } else {
+          append_value(buffer_, *c.attribute, i, layout_.separator);
+        }
+        buffer_ += layout_.separator;
+      }
+      buffer_.back() = '\n';
+    }
+    flush();
+    return std::move(warnings_);
+  }
+
+ private:
+  void drop_what_text_cannot_hold() {
+    for (const Element& element : cloud_.layout.elements) {
+      warnings_.push_back(
+          fmt::format("text cannot hold the element '{}' ({} items), which was "
+                      "left out",
+                      element.name, element.size));
+    }
+    std::erase_if(columns_, [&](const Column& c) {
+      const bool is_list = c.attribute != nullptr && c.attribute->is_list();
+      if (is_list) {
+        warnings_.push_back(
+            fmt::format("text cannot hold the lists '{}', which were left out", c.name));
+      }
+      return is_list;
+    });
+  }
+
+  /// Whether the reader finds the columns without a header: x y z, or x y z and normals.
+  [[nodiscard]] bool explains_itself() const {
+    if (columns_.size() != 3 && columns_.size() != 6) return false;
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      if (columns_[k].role != static_cast<int>(k)) return false;
+    }
+    return columns_.size() == 3 ||
+           (std::ranges::all_of(cloud_.normals,
+                                [](const Vec3& n) { return n == Vec3{} || looks_like_unit(n); }) &&
+            std::ranges::any_of(cloud_.normals, looks_like_unit));
+  }
+
+  void write_head() {
+    if (layout_.count_line) buffer_ += fmt::format("{}\n", cloud_.size());
+    for (const auto* comments : {&cloud_.layout.comments, &cloud_.layout.obj_info}) {
+      for (std::string comment : *comments) {
+        std::ranges::replace_if(
+            comment, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+        buffer_ += comment.empty() ? layout_.mark : fmt::format("{} {}", layout_.mark, comment);
+        buffer_ += '\n';
+      }
+    }
+    if (layout_.header == TextHeader::None) return;
+    if (layout_.header == TextHeader::Marked) buffer_ += layout_.mark;
+    for (const Column& c : columns_) {
+      append_field(buffer_, c.name, layout_.separator);
+      buffer_ += layout_.separator;
+    }
+    buffer_.back() = '\n';
+  }
+
+  void flush() {
+    if (cancelled_ && cancelled_()) throw Cancelled();
+    file_.write(buffer_);
+    buffer_.clear();
+  }
+
+  AtomicFile& file_;
+  const PointCloud& cloud_;
+  const std::function<bool()>& cancelled_;
+  std::vector<Column> columns_;
+  TextLayout layout_;
+  std::vector<std::string> warnings_;
+  std::string buffer_;
+};
+
+}  // namespace
+
+std::vector<std::string> write_text(AtomicFile& file, const std::filesystem::path& path,
+                                    const PointCloud& cloud,
+                                    const std::function<bool()>& cancelled) {
+  return TextWriter(file, path, cloud, cancelled).write();
+}
+
+}  // namespace deburr
