@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include "args.hpp"
+
+#include "deburr/version.hpp"
+
+namespace deburr::cli {
+
+void add_common_options(CLI::App& command, CommonArgs& args, const char* examples) {
+  command.add_option("--threads", args.threads, "Number of threads; 0 uses every core")
+      ->check(refuse_negative)
+      ->option_text(fmt::format("N [{}]", args.threads));
+  command.add_flag("--json", args.json, "Print one JSON object on stdout instead of text");
+  command.add_flag("--quiet", args.quiet, "Print nothing on stderr but errors");
+  command.set_version_flag("--version", fmt::format("deburr {}", version), "Print the version");
+  command.footer(fmt::format("Examples:\n{}", examples));
+}
+
+std::string refuse_negative(const std::string& number) {
+  return number.find('-') == std::string::npos ? "" : "must be >= 0, got " + number;
+}
+
+CLI::Option* add_file(CLI::App& command, const std::string& name, std::string& value,
+                      const std::string& description) {
+  return command.add_option(name, value, description)->required()->type_name("");
+}
+
+}  // namespace deburr::cli

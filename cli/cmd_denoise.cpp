@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "args.hpp"
+#include "commands.hpp"
+#include "console.hpp"
+#include "deburr/denoise.hpp"
+#include "deburr/error.hpp"
+#include "deburr/io.hpp"
+#include "denoise_options.hpp"
+#include "denoise_summary.hpp"
+#include "interrupt.hpp"
+#include "json_line.hpp"
+#include "output_file.hpp"
+
+namespace deburr::cli {
+namespace {
+
+constexpr const char* examples =
+    "  deburr denoise scan.ply clean.ply\n"
+    "  deburr denoise scan.ply clean.ply --report report.json --quiet\n"
+    "  deburr denoise scan.xyz clean.xyz --rounds 5\n"
+    "  deburr denoise scan.xyz clean.ply --method yadav2018 --rho 0.95 --add label,displacement";
+
+/// What is written for every point besides what came in.
+struct AddedFields {
+  bool normals = false;
+  bool label = false;
+  bool displacement = false;
+};
+
+struct DenoiseArgs {
+  CommonArgs common;
+  std::string input;
+  std::string output;
+  std::string report;
+  std::string add;
+  DenoiseOptions options;
+};
+
+/// What --add asks for. Text names no columns, so nothing is added to it unless asked for.
+AddedFields parse_added_fields(const DenoiseArgs& args) {
+  if (args.add.empty()) {
+    const bool named = extension(args.output) == ".ply";
+    return {named, named, named};
+  }
+  AddedFields add;
+  if (args.add == "none") return add;
+  for (const std::string& word : CLI::detail::split(args.add, ',')) {
+    if (word == "normals") {
+      add.normals = true;
+    } else if (word == "label") {
+      add.label = true;
+    } else if (word == "displacement") {
+      add.displacement = true;
+    } else {
+      throw std::invalid_argument(fmt::format(
+          "--add takes none, or a list of normals,label,displacement, got {}", args.add));
+    }
+  }
+  return add;
+}
+
+/// Adds a field to the points, or puts new values into the one of that name.
+void set_attribute(PointCloud& cloud, const std::string& name, Values values) {
+  const auto found = std::ranges::find(cloud.attributes, name, &Attribute::name);
+  Attribute& attribute = found != cloud.attributes.end() ? *found : cloud.attributes.emplace_back();
+  attribute = {.name = name, .values = std::move(values), .offsets = {}};
+}
+
+/// Leaves in the cloud what is to be written, and returns the names of the fields added.
+std::vector<std::string> add_fields(DenoiseResult& result, const AddedFields& add,
+                                    bool had_normals) {
+  std::vector<std::string> names;
+  // Only a header can tell what a new column of a text file is.
+  TextHeader& header = result.cloud.layout.text.header;
+  const bool new_columns = (add.normals && !had_normals) || add.label || add.displacement;
+  if (new_columns && header == TextHeader::None) header = TextHeader::Plain;
+  if (add.normals || had_normals) {
+    names.insert(names.end(), {"nx", "ny", "nz"});
+  } else {
+    result.cloud.normals.clear();
+  }
+  if (add.label) {
+    std::vector<std::uint8_t> values;
+    values.reserve(result.labels.size());
+    for (const Feature label : result.labels) values.push_back(static_cast<std::uint8_t>(label));
+    set_attribute(result.cloud, names.emplace_back("deburr_label"), std::move(values));
+  }
+  if (add.displacement) {
+    std::vector<float> values;
+    values.reserve(result.displacement.size());
+    for (const double moved : result.displacement) values.push_back(static_cast<float>(moved));
+    set_attribute(result.cloud, names.emplace_back("deburr_displacement"), std::move(values));
+  }
+  return names;
+}
+
+void summarize_displacement(const DenoiseResult& result, DenoiseSummary& summary) {
+  double sum = 0;
+  for (const double moved : result.displacement) {
+    sum += moved * moved;
+    summary.max_displacement = std::max(summary.max_displacement, moved);
+  }
+  const std::size_t finite = summary.report.points - summary.report.non_finite;
+  summary.rms_displacement = std::sqrt(sum / static_cast<double>(finite));
+}
+
+/// Everything that can be refused before the input is read.
+void check(const DenoiseArgs& args) {
+  check_cloud_output(args.output);
+  if (!args.report.empty()) {
+    check_different("--report", args.report, args.input);
+    check_different("--report", args.report, args.output);
+    check_output(args.report);
+  }
+  // Nothing to denoise, so this only looks at the ranges of the options.
+  DenoiseOptions options = args.options;
+  options.normals = NormalSource::Auto;
+  (void)denoise({}, options);
+}
+
+void run(const DenoiseArgs& args) {
+  const AddedFields add = parse_added_fields(args);
+  check(args);
+  ProgressBar bar(args.common.quiet);
+  const Execution execution{.threads = args.common.threads,
+                            .progress = [&bar](const Progress& progress) { bar.update(progress); },
+                            .cancelled = interrupted,
+                            .clock = steady_seconds};
+  DenoiseSummary summary{.input = args.input, .output = args.output, .options = args.options};
+
+  const double started = steady_seconds();
+  DenoiseResult result;
+  result.cloud = read_cloud(args.input, interrupted);
+  const double reading = steady_seconds() - started;
+
+  const std::size_t points = result.cloud.size();
+  if (std::ranges::any_of(result.cloud.points, is_finite)) {
+    const bool had_normals = !result.cloud.normals.empty();
+    try {
+      result = denoise(result.cloud, args.options, execution);
+    } catch (const DataError& error) {
+      throw DataError(args.input + ": " + error.what());
+    }
+    summary.report = std::move(result.report);
+    summarize_displacement(result, summary);
+    summary.added = add_fields(result, add, had_normals);
+  } else {
+    summary.report.points = points;
+    summary.report.non_finite = points;
+    summary.warnings.emplace_back(args.input + ": no point is finite, written unchanged");
+  }
+
+  bar.clear();
+  const double writing = steady_seconds();
+  for (std::string& warning : write_cloud(args.output, result.cloud, interrupted)) {
+    summary.warnings.push_back(std::move(warning));
+  }
+  std::vector<StageTime>& stages = summary.report.stages;
+  stages.insert(stages.begin(), {"read", reading});
+  stages.push_back({"write", steady_seconds() - writing});
+
+  const std::string json = to_line(to_json(summary));
+  if (!args.report.empty()) write_text(args.report, json);
+  if (args.common.json) {
+    print(json);
+  } else if (!args.common.quiet) {
+    tell(to_text(summary));
+  }
+}
+
+}  // namespace
+
+void add_denoise_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("denoise", "Take the noise off a point cloud");
+  const auto args = std::make_shared<DenoiseArgs>();
+  add_file(*command, "IN", args->input, "Point cloud: PLY, or text with x y z in each line");
+  add_file(*command, "OUT", args->output, "Where to write it; may be IN: .ply .xyz .txt .csv ...");
+  add_denoise_options(*command, args->options);
+  command
+      ->add_option(
+          "--add", args->add,
+          "What to write for every point: normals,label,displacement, some of them or none")
+      ->option_text("LIST [all to PLY, none to text]");
+  command->add_option("--report", args->report, "Write the summary to this file, as JSON")
+      ->option_text("FILE");
+  add_common_options(*command, args->common, examples);
+  command->callback([command, args] {
+    finish_denoise_options(*command, args->options);
+    run(*args);
+  });
+}
+
+}  // namespace deburr::cli
