@@ -77,7 +77,6 @@ std::vector<std::string> write_cloud(const std::filesystem::path& path, const Po
   }
   AtomicFile file(path);
   std::vector<std::string> warnings = format->write(file, path, cloud, cancelled);
-  if (cancelled && cancelled()) throw Cancelled();
   file.commit();
   return warnings;
 }

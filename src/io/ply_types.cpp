@@ -25,7 +25,6 @@ bool float_prints_as(double value) {
   const auto digits =
       std::count_if(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find('e')),
                     [](char c) { return '0' <= c && c <= '9'; });
-  if (digits > std::numeric_limits<float>::max_digits10) return false;
   const char* const narrow_end =
       std::to_chars(narrow.begin(), narrow.end(), static_cast<float>(value),
                     std::chars_format::scientific, static_cast<int>(digits) - 1)

@@ -12,8 +12,8 @@
 namespace deburr {
 
 /// Whether the three columns with the roles from `first_role` on hold all their values exactly in
-/// the types that the layout wishes. In a text, float also holds a double that has no more digits
-/// than a float of its size can tell apart: those are the values that were floats before.
+/// the types that the layout wishes. In a text, float also holds a double that the nearest float
+/// equals in all digits that are written: so do values that were floats before.
 [[nodiscard]] bool hold_exactly(const std::vector<Column>& columns, int first_role, bool is_text);
 
 /// The attribute in the smallest type of PLY that holds all its values; none for text and for

@@ -1,0 +1,10 @@
+# Flags for every target of this project; PRIVATE, so that no consumer inherits them.
+add_library(deburr_options INTERFACE)
+# Contraction to fused multiply-add would make results depend on the processor and the compiler.
+target_compile_options(deburr_options INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic
+  -Wconversion -Wshadow -Wnon-virtual-dtor -Wold-style-cast $<$<BOOL:${DEBURR_WERROR}>:-Werror>)
+if(DEBURR_SANITIZE)
+  target_compile_options(deburr_options INTERFACE -fsanitize=${DEBURR_SANITIZE}
+    -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(deburr_options INTERFACE -fsanitize=${DEBURR_SANITIZE})
+endif()

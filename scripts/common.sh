@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: 2026 The deburr authors
+# SPDX-License-Identifier: Apache-2.0
+# What the scripts of this folder share; they source it.
+
+build_packages=(cmake ninja-build g++ libeigen3-dev libtbb-dev libcli11-dev libfmt-dev
+  nlohmann-json3-dev)
+
+fail() {
+  echo "$(basename "$0"): $1" >&2
+  exit "${2:-1}"
+}
+
+is_installed() {
+  [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+# Installs those of the given packages that are missing. $log takes the noise.
+install_missing() {
+  local package missing=() as_root=()
+  command -v apt-get >/dev/null ||
+    fail "no apt-get here, so install these by other means and build as CONTRIBUTING.md says: $*"
+  for package in "$@"; do
+    is_installed "$package" || missing+=("$package")
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null ||
+      fail "neither root nor sudo, so have these installed first: apt-get install ${missing[*]}"
+    as_root=(sudo)
+  fi
+  as_root+=(env DEBIAN_FRONTEND=noninteractive apt-get -q -o Acquire::Retries=3)
+  echo "installing ${missing[*]}"
+  # The lists of a fresh container are empty. Where they cannot be renewed, the old ones may do.
+  logged "${as_root[@]}" update || echo "apt-get update failed, trying with the lists as they are"
+  logged "${as_root[@]}" install -y --no-install-recommends "${missing[@]}" ||
+    fail_with_log "the installation failed"
+}
+
+# Runs a command with its output in $log.
+logged() {
+  echo "+ $*" >>"$log"
+  "$@" >>"$log" 2>&1
+}
+
+fail_with_log() {
+  echo "--- the end of $log" >&2
+  tail -n 40 "$log" >&2
+  fail "$1; all of it is in $log"
+}
+
+# Starts $log anew.
+start_log() {
+  log=build/$1.log
+  mkdir -p build
+  : >"$log"
+}
+
+# Configures and builds a preset.
+build_preset() {
+  local started=$SECONDS
+  printf 'building (%s; takes minutes the first time) ... ' "$log"
+  if ! { logged cmake --preset "$1" && logged cmake --build --preset "$1" -j "$(nproc)"; }; then
+    echo failed
+    fail_with_log "the build failed"
+  fi
+  echo "done in $((SECONDS - started)) s"
+}

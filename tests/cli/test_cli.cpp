@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "deburr/denoise.hpp"
+#include "deburr/io.hpp"
+#include "deburr/metrics.hpp"
+#include "deburr/synth.hpp"
+#include "deburr/version.hpp"
+#include "run_program.hpp"
+
+// What the commands do when all is well.
+
+namespace deburr::cli {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+PointCloud part(std::size_t points) { return synthesize_part({.points = points}).cloud; }
+
+std::vector<std::string> attribute_names(const PointCloud& cloud) {
+  std::vector<std::string> names;
+  for (const Attribute& attribute : cloud.attributes) names.push_back(attribute.name);
+  return names;
+}
+
+template <typename T>
+std::vector<T> values_of(const PointCloud& cloud, const std::string& name) {
+  for (const Attribute& attribute : cloud.attributes) {
+    if (attribute.name == name) return std::get<std::vector<T>>(attribute.values);
+  }
+  return {};
+}
+
+TEST_F(CliTest, DenoiseWritesWhatTheLibraryReturns) {
+  const PointCloud cloud = part(2000);
+  write_cloud("in.ply", cloud);
+  const Outcome outcome = run_program({"denoise", "in.ply", "out.ply"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, IsEmpty());
+  EXPECT_THAT(outcome.err, HasSubstr("in.ply: 2000 points, spacing"));
+  EXPECT_THAT(outcome.err,
+              HasSubstr("written to out.ply with nx ny nz deburr_label deburr_displacement"));
+
+  const DenoiseResult expected = denoise(cloud);
+  const PointCloud written = read_cloud("out.ply");
+  EXPECT_TRUE(written.points == expected.cloud.points);
+  EXPECT_TRUE(written.normals == expected.cloud.normals);
+  const auto labels = values_of<std::uint8_t>(written, "deburr_label");
+  const auto moved = values_of<float>(written, "deburr_displacement");
+  ASSERT_EQ(labels.size(), cloud.size());
+  ASSERT_EQ(moved.size(), cloud.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    ASSERT_EQ(labels[i], static_cast<std::uint8_t>(expected.labels[i]));
+    ASSERT_EQ(moved[i], static_cast<float>(expected.displacement[i]));
+  }
+}
+
+TEST_F(CliTest, DenoiseHandsEveryOptionOn) {
+  const PointCloud cloud = part(600);
+  write_cloud("in.ply", cloud);
+  ASSERT_EQ(run_program(
+                {"denoise",     "in.ply",    "out.ply", "--method",        "yadav2018", "--rounds",
+                 "3",           "--k",       "9",       "--rho",           "0.8",       "--tau",
+                 "0.3",         "--damping", "2",       "--alpha",         "0.2",       "--epsilon",
+                 "1.5",         "--radius",  "1.75",    "--neighborhoods", "per-round", "--update",
+                 "simultaneous"})
+                .exit_code,
+            0);
+  const DenoiseOptions options{.method = Method::Yadav2018,
+                               .automatic = {},
+                               .yadav2018 = {.k = 9,
+                                             .rounds = 3,
+                                             .rho = 0.8,
+                                             .tau = 0.3,
+                                             .damping = 2,
+                                             .alpha = 0.2,
+                                             .epsilon = 1.5,
+                                             .radius = 1.75,
+                                             .rebuild = true,
+                                             .in_place = false}};
+  EXPECT_TRUE(read_cloud("out.ply").points == denoise(cloud, options).cloud.points);
+}
+
+TEST_F(CliTest, DenoiseGivesTheSameBytesForAnyNumberOfThreads) {
+  write_cloud("in.ply", part(3000));
+  ASSERT_EQ(run_program({"denoise", "in.ply", "one.ply", "--threads", "1"}).exit_code, 0);
+  ASSERT_EQ(run_program({"denoise", "in.ply", "three.ply", "--threads", "3"}).exit_code, 0);
+  EXPECT_EQ(read_text("one.ply"), read_text("three.ply"));
+}
+
+// Published positions and normals in, the same columns out.
+TEST_F(CliTest, DenoiseReproducesThePublishedProgram) {
+  const std::filesystem::path golden = DEBURR_TEST_DATA;
+  ASSERT_EQ(run_program({"denoise", golden / "blob_init.xyz", "out.xyz", "--method", "yadav2018",
+                         "--rounds", "1", "--normals", "keep"})
+                .exit_code,
+            0);
+  EXPECT_EQ(lines_of(read_text("out.xyz")).size(),
+            lines_of(read_text(golden / "blob_p1.xyz")).size());
+  const PointCloud written = read_cloud("out.xyz");
+  const PointCloud expected = read_cloud(golden / "blob_p1.xyz");
+  EXPECT_THAT(written.attributes, IsEmpty());
+  ASSERT_EQ(written.size(), expected.size());
+  ASSERT_EQ(written.normals.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_LT(norm(written.points[i] - expected.points[i]), 1e-12) << i;
+    EXPECT_LT(norm(written.normals[i] - expected.normals[i]), 1e-12) << i;
+  }
+}
+
+TEST_F(CliTest, DenoiseLeavesTheColumnsOfTextAlone) {
+  write_cloud("in.xyz", part(500));
+  ASSERT_EQ(run_program({"denoise", "in.xyz", "out.xyz"}).exit_code, 0);
+  const PointCloud plain = read_cloud("out.xyz");
+  EXPECT_THAT(plain.normals, IsEmpty());
+  EXPECT_THAT(plain.attributes, IsEmpty());
+  EXPECT_EQ(lines_of(read_text("out.xyz")).size(), 500U);
+
+  ASSERT_EQ(run_program({"denoise", "in.xyz", "more.xyz", "--add", "label,normals"}).exit_code, 0);
+  const PointCloud more = read_cloud("more.xyz");
+  EXPECT_THAT(attribute_names(more), ElementsAre("deburr_label"));
+  EXPECT_EQ(more.normals.size(), 500U);
+}
+
+TEST_F(CliTest, DenoiseAddsOnlyWhatIsAskedFor) {
+  write_cloud("in.ply", part(300));
+  ASSERT_EQ(run_program({"denoise", "in.ply", "out.ply", "--add", "none"}).exit_code, 0);
+  EXPECT_THAT(read_cloud("out.ply").normals, IsEmpty());
+  EXPECT_THAT(read_cloud("out.ply").attributes, IsEmpty());
+  ASSERT_EQ(run_program({"denoise", "in.ply", "out.ply", "--add", "displacement"}).exit_code, 0);
+  EXPECT_THAT(read_cloud("out.ply").normals, IsEmpty());
+  EXPECT_THAT(attribute_names(read_cloud("out.ply")), ElementsAre("deburr_displacement"));
+}
+
+TEST_F(CliTest, DenoiseWritesNewNormalsWhereThereWereSome) {
+  PointCloud cloud = part(300);
+  cloud.normals.assign(cloud.size(), Vec3{0, 0, 1});
+  write_cloud("in.ply", cloud);
+  ASSERT_EQ(run_program({"denoise", "in.ply", "out.ply", "--add", "none"}).exit_code, 0);
+  EXPECT_TRUE(read_cloud("out.ply").normals == denoise(cloud).cloud.normals);
+}
+
+TEST_F(CliTest, DenoiseTakesItsOwnOutputInPlace) {
+  write_cloud("scan.ply", part(400));
+  for (int run = 0; run < 2; ++run) {
+    ASSERT_EQ(run_program({"denoise", "scan.ply", "scan.ply"}).exit_code, 0);
+    EXPECT_THAT(attribute_names(read_cloud("scan.ply")),
+                ElementsAre("deburr_label", "deburr_displacement"));
+  }
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator("."), {}), 1);
+}
+
+TEST_F(CliTest, DenoiseTellsItsSummaryAsJson) {
+  PointCloud cloud = part(500);
+  cloud.points[3] = cloud.points[2];
+  cloud.points[7].x = std::nan("");
+  write_cloud("in.ply", cloud);
+  const Outcome outcome =
+      run_program({"denoise", "in.ply", "out.ply", "--json", "--report", "report.json"});
+  ASSERT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, IsEmpty());
+  EXPECT_EQ(outcome.out, read_text("report.json"));
+
+  const json summary = json::parse(outcome.out);
+  const DenoiseResult expected = denoise(cloud);
+  EXPECT_EQ(summary["deburr_version"], version);
+  EXPECT_EQ(summary["points"], 500);
+  EXPECT_EQ(summary["non_finite"], 1);
+  EXPECT_EQ(summary["duplicates"], 1);
+  EXPECT_EQ(summary["spacing"], expected.report.spacing);
+  EXPECT_EQ(summary["noise"], expected.report.noise);
+  EXPECT_EQ(summary["rounds"].size(), expected.report.rounds.size());
+  EXPECT_EQ(summary["labels"]["surface"], expected.report.labels[0]);
+  EXPECT_EQ(summary["options"]["method"], "auto");
+  EXPECT_EQ(summary["options"]["rounds"], AutoOptions{}.rounds);
+  double squares = 0;
+  for (const double moved : expected.displacement) squares += moved * moved;
+  EXPECT_DOUBLE_EQ(summary["rms_displacement"], std::sqrt(squares / 499));
+  EXPECT_EQ(summary["max_displacement"], std::ranges::max(expected.displacement));
+  double seconds = 0;
+  for (const json& stage : summary["stages"]) seconds += stage["seconds"].get<double>();
+  EXPECT_GT(seconds, 0);
+}
+
+TEST_F(CliTest, QuietPrintsNothing) {
+  for (const std::vector<std::string>& args :
+       {std::vector<std::string>{"synth", "part", "in.ply", "--points", "300", "--quiet"},
+        {"denoise", "in.ply", "out.ply", "--quiet"}}) {
+    const Outcome outcome = run_program(args);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.out + outcome.err, "");
+  }
+}
+
+TEST_F(CliTest, CloudsWithoutAFinitePointAreWrittenUnchanged) {
+  PointCloud cloud;
+  write_cloud("empty.ply", cloud);
+  cloud.points.assign(3, Vec3{1, std::nan(""), 2});
+  write_cloud("nan.ply", cloud);
+  for (const std::string name : {"empty.ply", "nan.ply"}) {
+    const Outcome outcome = run_program({"denoise", name, "out.ply"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.err, HasSubstr("warning: " + name + ": no point is finite"));
+    EXPECT_EQ(read_text("out.ply"), read_text(name));
+  }
+}
+
+TEST_F(CliTest, InfoTellsWhatTheReportOfDenoiseTells) {
+  PointCloud cloud = part(1000);
+  cloud.points[3] = cloud.points[2];
+  cloud.points[7].x = std::nan("");
+  cloud.attributes.push_back({"red", std::vector<std::uint8_t>(1000), {}});
+  cloud.layout.comments = {"made for a test"};
+  write_cloud("in.ply", cloud);
+  const Outcome outcome = run_program({"info", "in.ply", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0);
+  const json info = json::parse(outcome.out);
+  const Report expected = denoise(cloud).report;
+  EXPECT_EQ(info["points"], 1000);
+  EXPECT_EQ(info["non_finite"], 1);
+  EXPECT_EQ(info["duplicates"], 1);
+  EXPECT_EQ(info["comments"], 1);
+  EXPECT_NEAR(info["spacing"], expected.spacing, 1e-9 * expected.spacing);
+  EXPECT_NEAR(info["noise"], expected.noise, 1e-6 * expected.noise);
+  EXPECT_EQ(info["fields"].back(), json({{"name", "red"}, {"type", "uint8"}, {"list", false}}));
+  double lowest = HUGE_VAL;
+  for (const Vec3& p : cloud.points) lowest = is_finite(p) ? std::min(lowest, p.x) : lowest;
+  EXPECT_EQ(info["bounding_box"]["min"][0], lowest);
+  EXPECT_THAT(run_program({"info", "in.ply"}).out, HasSubstr("red uint8"));
+}
+
+TEST_F(CliTest, InfoOfNothingHasNoBox) {
+  write_cloud("empty.ply", {});
+  const Outcome outcome = run_program({"info", "empty.ply", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0);
+  EXPECT_TRUE(json::parse(outcome.out)["bounding_box"].is_null());
+}
+
+TEST_F(CliTest, InfoNamesOtherElements) {
+  write_mesh("mesh.ply", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+  const Outcome outcome = run_program({"info", "mesh.ply"});
+  EXPECT_THAT(outcome.out, HasSubstr("face: 1 of (vertex_indices list of"));
+}
+
+TEST_F(CliTest, SynthAndCompareAgreeWithTheLibrary) {
+  ASSERT_EQ(run_program({"synth", "part", "part.ply", "--points", "700", "--noise", "0.01",
+                         "--seed", "5", "--truth", "truth.ply"})
+                .exit_code,
+            0);
+  const SyntheticScan scan = synthesize_part({.points = 700, .noise = 0.01, .seed = 5});
+  EXPECT_TRUE(read_cloud("part.ply").points == scan.cloud.points);
+
+  const Outcome outcome = run_program({"compare", "part.ply", "--truth", "truth.ply", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0);
+  const json result = json::parse(outcome.out);
+  const SurfaceError expected = compare_to_surface(scan.cloud.points, scan.truth);
+  EXPECT_EQ(result["count"], 700);
+  EXPECT_EQ(result["non_finite"], 0);
+  EXPECT_DOUBLE_EQ(result["mean"], expected.mean);
+  EXPECT_DOUBLE_EQ(result["rms"], expected.rms);
+  EXPECT_DOUBLE_EQ(result["maximum"], expected.maximum);
+  EXPECT_DOUBLE_EQ(result["rms_relative"], expected.rms / expected.diagonal);
+  EXPECT_THAT(run_program({"compare", "part.ply", "--truth", "truth.ply"}).out,
+              HasSubstr("% of the diagonal"));
+}
+
+}  // namespace
+}  // namespace deburr::cli

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include "deburr/error.hpp"
+#include "deburr/io.hpp"
+#include "io/atomic_file.hpp"
+#include "support/temp_dir.hpp"
+
+namespace deburr {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+std::string error_of_opening(const fs::path& path) {
+  try {
+    const AtomicFile file(path);
+  } catch (const IoError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(AtomicFile, AppearsOnlyWhenCommitted) {
+  const TempDir dir;
+  put(dir / "a", "old");
+  {
+    AtomicFile file(dir / "a");
+    file.write("ne");
+    file.write("w");
+    EXPECT_EQ(get(dir / "a"), "old");
+    EXPECT_EQ(dir.count(), 2);
+    file.commit();
+  }
+  EXPECT_EQ(get(dir / "a"), "new");
+  EXPECT_EQ(dir.count(), 1);
+}
+
+TEST(AtomicFile, LeavesNothingBehindWithoutCommit) {
+  const TempDir dir;
+  put(dir / "a", "old");
+  for (const char* name : {"a", "b"}) {
+    EXPECT_THROW(
+        {
+          AtomicFile file(dir / name);
+          file.write("new");
+          throw std::runtime_error("in the middle");
+        },
+        std::runtime_error);
+  }
+  EXPECT_EQ(get(dir / "a"), "old");
+  EXPECT_EQ(dir.count(), 1);
+}
+
+TEST(AtomicFile, WritesTwoFilesOfOneFolderAtOnce) {
+  const TempDir dir;
+  AtomicFile a(dir / "a");
+  AtomicFile b(dir / "b");
+  a.write("1");
+  b.write("2");
+  b.commit();
+  a.commit();
+  EXPECT_EQ(get(dir / "a") + get(dir / "b"), "12");
+}
+
+TEST(AtomicFile, KeepsPermissionsOrTakesThoseOfNewFiles) {
+  const TempDir dir;
+  put(dir / "a", "old");
+  put(dir / "plain", "");
+  fs::permissions(dir / "a", fs::perms{0640});
+  for (const char* name : {"a", "b"}) {
+    AtomicFile file(dir / name);
+    file.commit();
+  }
+  EXPECT_EQ(fs::status(dir / "a").permissions(), fs::perms{0640});
+  EXPECT_EQ(fs::status(dir / "b").permissions(), fs::status(dir / "plain").permissions());
+}
+
+TEST(AtomicFile, ReplacesWhatALinkPointsTo) {
+  const TempDir dir;
+  fs::create_directory(dir / "sub");
+  put(dir / "sub/a", "old");
+  fs::create_symlink("sub/a", dir / "link");
+  fs::create_symlink("link", dir / "chain");
+  fs::create_symlink("sub/new", dir / "dangling");
+  for (const char* name : {"chain", "dangling"}) {
+    AtomicFile file(dir / name);
+    file.write("new");
+    file.commit();
+  }
+  EXPECT_TRUE(fs::is_symlink(dir / "link") && fs::is_symlink(dir / "chain") &&
+              fs::is_symlink(dir / "dangling"));
+  EXPECT_EQ(get(dir / "sub/a"), "new");
+  EXPECT_EQ(get(dir / "sub/new"), "new");
+}
+
+TEST(AtomicFile, SaysWhyItCannotWrite) {
+  const TempDir dir;
+  fs::create_symlink("loop", dir / "loop");
+  put(dir / "file", "");
+  EXPECT_THAT(error_of_opening(dir.path()), HasSubstr("Is a directory"));
+  EXPECT_THAT(error_of_opening(dir / "none/a"), HasSubstr("No such file or directory"));
+  EXPECT_THAT(error_of_opening(dir / "file/a"), HasSubstr("Not a directory"));
+  EXPECT_THAT(error_of_opening(dir / "loop"), HasSubstr("symbolic links"));
+  EXPECT_THAT(error_of_opening(dir / "none/a"), HasSubstr((dir / "none/a").string()));
+}
+
+TEST(AtomicFile, RespectsProtection) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  const TempDir dir;
+  put(dir / "a", "old");
+  fs::permissions(dir / "a", fs::perms{0444});
+  EXPECT_THAT(error_of_opening(dir / "a"), HasSubstr("Permission denied"));
+  fs::permissions(dir.path(), fs::perms{0555});
+  EXPECT_THAT(error_of_opening(dir / "b"), HasSubstr("Permission denied"));
+  fs::permissions(dir.path(), fs::perms{0755});
+  EXPECT_EQ(get(dir / "a"), "old");
+}
+
+TEST(AtomicFile, WritesDevicesDirectly) {
+  AtomicFile null("/dev/null");
+  null.write("data");
+  null.commit();
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+
+  AtomicFile full("/dev/full");
+  try {
+    full.write("data");
+    FAIL() << "the device took data";
+  } catch (const IoError& e) {
+    EXPECT_STREQ(e.what(), "/dev/full: cannot write: No space left on device");
+  }
+}
+
+TEST(AtomicFile, WritesPipesDirectly) {
+  const TempDir dir;
+  ASSERT_EQ(::mkfifo((dir / "pipe").c_str(), 0600), 0);
+  // Open for both, so that neither end waits for the other.
+  std::fstream reader(dir / "pipe", std::ios::in | std::ios::out);
+  AtomicFile file(dir / "pipe");
+  file.write("data\n");
+  file.commit();
+  std::string line;
+  std::getline(reader, line);
+  EXPECT_EQ(line, "data");
+  EXPECT_TRUE(fs::is_fifo(dir / "pipe"));
+}
+
+TEST(WriteCloud, LeavesTheOldFileWhenCancelled) {
+  const TempDir dir;
+  PointCloud cloud;
+  cloud.points.resize(20000);
+  for (const char* name : {"a.ply", "a.xyz"}) {
+    put(dir / name, "old");
+    // Each look at the callback is one more place to stop at.
+    int looks = 0;
+    const auto other = dir / (std::string("other-") + name);
+    (void)write_cloud(other, cloud, [&] { return ++looks < 0; });
+    fs::remove(other);
+    ASSERT_GT(looks, 5);
+    for (int stop = 1; stop <= looks; ++stop) {
+      int left = stop;
+      EXPECT_THROW((void)write_cloud(dir / name, cloud, [&] { return --left == 0; }), Cancelled);
+      EXPECT_EQ(get(dir / name), "old");
+    }
+    fs::remove(dir / name);
+    EXPECT_EQ(dir.count(), 0);
+  }
+}
+
+TEST(WriteCloud, NamesThePathOfAFullDisk) {
+  const TempDir dir;
+  fs::create_symlink("/dev/full", dir / "full.ply");
+  PointCloud cloud;
+  cloud.points.resize(10);
+  EXPECT_THROW((void)write_cloud(dir / "full.ply", cloud), IoError);
+  EXPECT_TRUE(fs::is_symlink(dir / "full.ply"));
+}
+
+}  // namespace
+}  // namespace deburr
