@@ -3,12 +3,11 @@
 #include <gmock/gmock.h>
 
 #include <bit>
-#include <limits>
 #include <random>
 
 #include "deburr/error.hpp"
 #include "deburr/io.hpp"
-#include "support/broken_files.hpp"
+#include "support/ply_files.hpp"
 #include "support/same_cloud.hpp"
 #include "support/temp_dir.hpp"
 
@@ -16,76 +15,7 @@ namespace deburr {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::StartsWith;
-
-constexpr Encoding all_encodings[] = {Encoding::PlyAscii, Encoding::PlyLittleEndian,
-                                      Encoding::PlyBigEndian};
-constexpr double inf = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-template <typename T>
-std::vector<T> extremes() {
-  using Limits = std::numeric_limits<T>;
-  if constexpr (std::is_floating_point_v<T>) {
-    return {Limits::denorm_min(), Limits::lowest(),    Limits::max(),      T(0.1), -T(0),
-            Limits::infinity(),   Limits::quiet_NaN(), -Limits::infinity()};
-  } else {
-    return {Limits::min(), Limits::max(), 0, 1, 2, 3, 4, 100};
-  }
-}
-
-template <typename T>
-void add_type(std::vector<Attribute>& to, const std::string& name, ScalarType length_type) {
-  to.push_back({name, extremes<T>(), {}});
-  to.push_back({name + "_list", extremes<T>(), {0, 0, 3, 3, 4, 8, 8, 8, 8}, length_type});
-}
-
-/// Eight items with a value and a list of every type.
-std::vector<Attribute> every_type() {
-  std::vector<Attribute> all;
-  add_type<std::int8_t>(all, "i8", ScalarType::Int8);
-  add_type<std::uint8_t>(all, "u8", ScalarType::UInt8);
-  add_type<std::int16_t>(all, "i16", ScalarType::Int16);
-  add_type<std::uint16_t>(all, "u16", ScalarType::UInt16);
-  add_type<std::int32_t>(all, "i32", ScalarType::Int32);
-  add_type<std::uint32_t>(all, "u32", ScalarType::UInt32);
-  add_type<float>(all, "f32", ScalarType::UInt8);
-  add_type<double>(all, "f64", ScalarType::UInt8);
-  return all;
-}
-
-/// Eight points with everything that a PLY file can hold.
-PointCloud full_cloud(Encoding encoding) {
-  PointCloud cloud;
-  const std::vector<double> values = extremes<double>();
-  for (std::size_t i = 0; i < 8; ++i) {
-    cloud.points.push_back({values[i], 500000.123456789, 0.1 * static_cast<double>(i)});
-    cloud.normals.push_back({0, 0.5, i % 2 == 0 ? nan : inf});
-  }
-  cloud.attributes = every_type();
-  cloud.layout.encoding = encoding;
-  // Order is that of the file: here neither coordinates nor normals stand together.
-  cloud.layout.fields = {{"nz", ScalarType::Float32}, {"y", ScalarType::Float64}};
-  for (const Attribute& a : cloud.attributes) cloud.layout.fields.push_back({a.name, a.type()});
-  for (const char* name : {"z", "x"}) cloud.layout.fields.push_back({name, ScalarType::Float64});
-  for (const char* name : {"nx", "ny"}) cloud.layout.fields.push_back({name, ScalarType::Float32});
-  cloud.layout.comments = {"made by hand", "", "two  blanks, and = marks"};
-  cloud.layout.obj_info = {"num_cols 4", "num_rows 2"};
-  cloud.layout.elements = {{"camera", 8, every_type(), true},
-                           {"nothing", 5, {}, true},
-                           {"face", 8, every_type(), false},
-                           {"none", 0, {{"a", std::vector<float>{}, {}}}, false}};
-  return cloud;
-}
-
-/// A file with the vertex properties and rows given, in ASCII.
-std::string ascii(const std::string& properties, const std::string& rows, int count = 1) {
-  return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(count) + "\n" + properties +
-         "end_header\n" + rows;
-}
-const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
 
 TEST(Ply, KeepsEverythingInEveryEncoding) {
   const TempDir dir;
@@ -166,7 +96,7 @@ TEST(Ply, ReadsAllNamesOfTypes) {
                               ScalarType::Float32, ScalarType::Float64};
   for (std::size_t k = 0; k < 8; ++k) {
     for (const char* name : names[k]) {
-      put(dir / "a", ascii(xyz + "property " + name + " a\n", "1 2 3 4\n"));
+      put(dir / "a", ascii(xyz() + "property " + name + " a\n", "1 2 3 4\n"));
       EXPECT_EQ(read_cloud(dir / "a").attributes.at(0).type(), types[k]) << name;
     }
   }
@@ -185,7 +115,7 @@ TEST(Ply, ReadsLooseHeaders) {
   EXPECT_THAT(cloud.layout.obj_info, ElementsAre("a b"));
 
   using namespace std::string_literals;
-  put(dir / "a", "ply\r\nformat binary_little_endian 1.0\r\nelement vertex 1\r\n"s + xyz +
+  put(dir / "a", "ply\r\nformat binary_little_endian 1.0\r\nelement vertex 1\r\n"s + xyz() +
                      "end_header\r\n" + "\0\0\x80\x3f\0\0\0\x40\0\0\0\xc0"s + "\ntrailing");
   EXPECT_THAT(read_cloud(dir / "a").points, ElementsAre(Vec3{1, 2, -2}));
 }
@@ -209,7 +139,8 @@ TEST(Ply, ReadsTextAsDoublesWhateverIsDeclared) {
 // Such numbers were floats, and stay so in a text; in binary their doubles need doubles.
 TEST(Ply, KeepsDecimalFloatsInText) {
   const TempDir dir;
-  const std::string file = ascii(xyz, "0.1 -12.345678 0.1234567836\n3.4028235e+38 0.00012 7\n", 2);
+  const std::string file =
+      ascii(xyz(), "0.1 -12.345678 0.1234567836\n3.4028235e+38 0.00012 7\n", 2);
   put(dir / "a.ply", file);
   PointCloud cloud = read_cloud(dir / "a.ply");
   (void)write_cloud(dir / "b.ply", cloud);
@@ -256,12 +187,12 @@ TEST(Ply, KeepsRandomDoublesExactly) {
   std::mt19937_64 random(1);
   PointCloud cloud;
   for (int i = 0; i < 3000; ++i) {
-    Vec3 p;
-    for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
-      p.*axis = std::bit_cast<double>(random() >> (i % 3 == 0 ? 12 : 0));  // denormals as well
-      if (std::isnan(p.*axis)) p.*axis = 500000.123456789 + i;
-    }
-    cloud.points.push_back(p);
+    const auto number = [&] {
+      // Every third point is made of denormals.
+      const auto value = std::bit_cast<double>(random() >> (i % 3 == 0 ? 12 : 0));
+      return std::isnan(value) ? 500000.123456789 + i : value;
+    };
+    cloud.points.push_back({number(), number(), number()});
   }
   for (const char* name : {"a.ply", "a.xyz", "a.csv"}) {
     for (const Encoding encoding : all_encodings) {
@@ -322,14 +253,14 @@ TEST(Ply, WidensTheLengthOfLongLists) {
 
 TEST(Ply, AddsNewFieldsBehindTheOldOnes) {
   const TempDir dir;
-  put(dir / "a.ply", ascii("property uchar red\n" + xyz, "9 1 2 3\n"));
+  put(dir / "a.ply", ascii("property uchar red\n" + xyz(), "9 1 2 3\n"));
   PointCloud cloud = read_cloud(dir / "a.ply");
   cloud.normals = {{0, 0, 1}};
   cloud.attributes.push_back({"my label", std::vector<std::uint8_t>{2}, {}});
   cloud.attributes.push_back({"my_label", std::vector<std::uint8_t>{3}, {}});
   (void)write_cloud(dir / "a.ply", cloud);
   EXPECT_EQ(get(dir / "a.ply"),
-            ascii("property uchar red\n" + xyz +
+            ascii("property uchar red\n" + xyz() +
                       "property double nx\nproperty double ny\nproperty double nz\n"
                       "property uchar my_label\nproperty uchar my_label_\n",
                   "9 1 2 3 0 0 1 2 3\n"));
@@ -345,138 +276,7 @@ TEST(Ply, LeavesOutFieldsThatAreGone) {
               ElementsAre(Field{"y"}, Field{"z"}, Field{"x"}));
 }
 
-TEST(Ply, RefusesCloudsThatContradictThemselves) {
-  const TempDir dir;
-  PointCloud cloud;
-  cloud.points.resize(2);
-  const auto refused = [&](const PointCloud& c) {
-    EXPECT_THROW((void)write_cloud(dir / "a.ply", c), std::invalid_argument);
-    EXPECT_EQ(dir.count(), 0);
-  };
-  PointCloud wrong = cloud;
-  wrong.normals.resize(1);
-  refused(wrong);
-  for (const Attribute& a :
-       {Attribute{"a", std::vector<float>(3), {}}, Attribute{"a", std::vector<float>(2), {0, 2}},
-        Attribute{"a", std::vector<float>(2), {0, 3, 2}},
-        Attribute{"a", std::vector<float>(2), {0, 1, 1}},
-        Attribute{"x", std::vector<float>(2), {}}}) {
-    wrong = cloud;
-    wrong.attributes = {a};
-    refused(wrong);
-  }
-  wrong = cloud;
-  wrong.attributes = {{"a", std::vector<float>(2), {}}, {"a", std::vector<int>(2), {}}};
-  refused(wrong);
-  wrong = cloud;
-  wrong.layout.elements = {{"face", 1, {{"a", std::vector<float>(2), {}}}, false}};
-  refused(wrong);
-  EXPECT_THROW((void)write_cloud(dir / "a.las", cloud), std::invalid_argument);
-}
-
-TEST(Ply, NamesTheLineOfABadHeader) {
-  const std::string start = "ply\nformat ascii 1.0\nelement vertex 1\n";
-  const auto expect = [&](const std::string& file, const std::string& message) {
-    EXPECT_EQ(error_of(file), message);
-  };
-  expect(start + "prop float x\n", "line 4: unknown keyword 'prop' in the header");
-  expect(start + "property half x\n", "line 4: unknown type 'half'");
-  expect(start + "property float\n", "line 4: property without a name");
-  expect(start + "property float x y\n", "line 4: unexpected 'y'");
-  expect(start + "property list float int x\n", "line 4: the length of a list must be an integer");
-  expect(start + xyz + "property int x\n", "line 7: element 'vertex' has two properties 'x'");
-  expect(start + "element vertex 2\n", "line 4: element 'vertex' appears twice");
-  expect("ply\nformat ascii 2.0\n", "line 2: unknown version '2.0' of PLY");
-  expect("ply\nformat morse 1.0\n", "line 2: unknown format 'morse'");
-  expect("ply\nproperty float x\n", "line 2: property before the first element");
-  for (const char* count : {"-1", "18446744073709551616", "1.5", "x", ""}) {
-    expect("ply\nelement vertex " + std::string(count) + "\n",
-           "line 2: bad number '" + std::string(count) + "' of items of element 'vertex'");
-  }
-  expect("ply\nelement vertex 0\n" + xyz + "end_header\n", "line 6: the header has no format line");
-  expect(start + xyz, "line 6: the header does not end with end_header");
-  expect("ply\nformat ascii 1.0\nelement face 0\nend_header\n", "the file has no element 'vertex'");
-  expect(start + "property float x\nproperty float z\nend_header\n1 2\n",
-         "element 'vertex' has no property 'y'");
-}
-
-TEST(Ply, NamesThePlaceOfABadRow) {
-  const std::string list = xyz + "property list char short a\n";
-  EXPECT_EQ(error_of(ascii(xyz, "1 2 3.5\n1 2.5\n", 2)),
-            "line 9: the row ends before property 'z' of element 'vertex'");
-  EXPECT_EQ(error_of(ascii(xyz, "1 2 3 4\n")),
-            "line 8: unexpected '4' behind the last property of element 'vertex'");
-  EXPECT_EQ(error_of(ascii(xyz, "1 2,5 3\n")), "line 8: '2,5' is no value for property 'y'");
-  EXPECT_EQ(error_of(ascii(xyz, "1 2 1e999\n")), "line 8: '1e999' is no value for property 'z'");
-  EXPECT_EQ(error_of(ascii(list, "1 2 3 -1\n")), "line 9: list 'a' has length -1");
-  EXPECT_EQ(error_of(ascii(list, "1 2 3 1 32768\n")),
-            "line 9: '32768' is no value for property 'a'");
-  EXPECT_EQ(error_of(ascii(xyz, "1 2 3\n4 5 6\n", 3)),
-            "byte 112: the file ends in row 3 of 3 of element 'vertex'");
-  EXPECT_EQ(error_of(ascii(list, "1 2 3 1.0 4.0\n")), "");
-
-  using namespace std::string_literals;
-  const std::string binary = "ply\nformat binary_big_endian 1.0\nelement vertex 1\n"s + list +
-                             "end_header\n" + std::string(12, '\0');
-  EXPECT_EQ(error_of(binary + "\xff\0\0"s),
-            "byte " + std::to_string(binary.size()) +
-                ": a list of element 'vertex', row 1, has length -1");
-  EXPECT_EQ(error_of(binary + "\x02\0\0\0"s),
-            "byte " + std::to_string(binary.size() + 4) +
-                ": the file ends in row 1 of 1 of element 'vertex'");
-}
-
 // Memory for what these claim does not exist.
-TEST(Ply, DoesNotBelieveHugeCounts) {
-  for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
-    for (const char* count : {"1099511627776", "9223372036854775807", "18446744073709551615"}) {
-      const std::string start = "ply\nformat " + std::string(format) + " 1.0\n";
-      const std::string vertex = "element vertex 1\n" + xyz;
-      const std::string end = "end_header\n1 2 3 4 5 6 7 8 9\n";
-      const std::string n(count);
-      EXPECT_THAT(error_of(start + "element vertex " + n + "\n" + xyz + end),
-                  HasSubstr("of " + n + " of element 'vertex'"));
-      EXPECT_THAT(
-          error_of(start + "element a " + n + "\nproperty list uchar int b\n" + vertex + end),
-          HasSubstr("of " + n + " of element 'a'"));
-      // Rows without properties take no room.
-      EXPECT_EQ(
-          error_of(start + "element a " + n + "\n" + vertex + "end_header\n" + "1 2 3        \n"),
-          "");
-    }
-  }
-  using namespace std::string_literals;
-  EXPECT_THAT(error_of("ply\nformat binary_little_endian 1.0\nelement vertex 1\n" + xyz +
-                       "property list uint double a\nend_header\n" + std::string(12, '\0') +
-                       "\xff\xff\xff\xff"s + "1234567890"),
-              HasSubstr("the file ends"));
-}
-
-TEST(Ply, EveryTruncationIsReadOrRefused) {
-  const TempDir dir;
-  for (const Encoding encoding : all_encodings) {
-    PointCloud cloud = full_cloud(encoding);
-    cloud.layout.elements.pop_back();
-    (void)write_cloud(dir / "a.ply", cloud);
-    const std::string file = get(dir / "a.ply");
-    for (std::size_t length = 0; length < file.size(); ++length) {
-      const std::string error = error_of(file.substr(0, length));
-      // In a text, the last number may be cut, or only the line end after it.
-      if (encoding != Encoding::PlyAscii || length + 20 < file.size()) {
-        ASSERT_NE(error, "") << length << " of " << file.size();
-      }
-    }
-  }
-}
-
-TEST(Ply, SurvivesRandomDamage) {
-  const TempDir dir;
-  for (const Encoding encoding : all_encodings) {
-    (void)write_cloud(dir / "a.ply", full_cloud(encoding));
-    fuzz(get(dir / "a.ply"), 1, 2500);
-  }
-}
-
 TEST(Ply, ReadsNoPoints) {
   const TempDir dir;
   for (const Encoding encoding : all_encodings) {
@@ -486,31 +286,6 @@ TEST(Ply, ReadsNoPoints) {
     (void)write_cloud(dir / "a.ply", cloud);
     expect_same(read_cloud(dir / "a.ply"), cloud);
   }
-}
-
-TEST(Ply, StopsReadingWhenCancelled) {
-  const TempDir dir;
-  (void)write_cloud(dir / "a.ply", full_cloud(Encoding::PlyAscii));
-  for (int stop = 1; stop <= 3; ++stop) {
-    int left = stop;
-    EXPECT_THROW((void)read_cloud(dir / "a.ply", [&] { return --left == 0; }), Cancelled);
-  }
-}
-
-TEST(ReadCloud, NamesFilesThatCannotBeRead) {
-  const TempDir dir;
-  const auto message = [&](const std::filesystem::path& path) -> std::string {
-    try {
-      (void)read_cloud(path);
-    } catch (const IoError& e) {
-      return e.what();
-    }
-    return "";
-  };
-  EXPECT_EQ(message(dir / "none.ply"), (dir / "none.ply").string() + ": No such file or directory");
-  EXPECT_THAT(message(dir.path()), HasSubstr("Is a directory"));
-  put(dir / "a.ply", "");
-  EXPECT_THAT(message(dir / "a.ply"), HasSubstr("empty file"));
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ std::string written(const TempDir& dir, const PointCloud& cloud, const std::stri
 
 std::vector<std::string> names(const PointCloud& cloud) {
   std::vector<std::string> result;
+  result.reserve(cloud.layout.fields.size());
   for (const Field& field : cloud.layout.fields) result.push_back(field.name);
   return result;
 }
@@ -246,7 +247,7 @@ TEST(Text, IsTheSameInEveryLocale) {
   const TempDir dir;
   const PointCloud cloud = read(dir, "1.5 2.5 3.5 4.25\n");
   const std::string again = written(dir, cloud, "a.txt");
-  std::setlocale(LC_ALL, "C");
+  ASSERT_NE(std::setlocale(LC_ALL, "C"), nullptr);
   EXPECT_EQ(cloud.points[0], (Vec3{1.5, 2.5, 3.5}));
   EXPECT_EQ(again, "1.5 2.5 3.5 4.25\n");
 }

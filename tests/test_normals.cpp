@@ -64,7 +64,7 @@ TEST(EstimateNormals, FollowsASphere) {
 
 // A nanometre in ten kilometres is below the last bit; a millimetre is not.
 TEST(EstimateNormals, HoldsFarFromTheOrigin) {
-  Sampled plane = plane_grid(12);
+  const Sampled plane = plane_grid(12);
   const Rotation turn = random_rotation(4);
   const std::vector<Vec3> points = mapped(plane.points, [&](const Vec3& p) {
     return Vec3{1e7, -1e7, 1e7} + 1e-3 * turn(p);

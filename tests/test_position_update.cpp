@@ -4,20 +4,15 @@
 
 #include "deburr/position_update.hpp"
 #include "support/compare.hpp"
+#include "support/feature_field.hpp"
 #include "support/shapes.hpp"
 #include "support/stage_oracle.hpp"
 
 namespace deburr {
 namespace {
 
-using testing::HasSubstr;
-
 constexpr Vec3 up{0, 0, 1};
 constexpr double far = 1e9;  // a bound that is never met
-
-FeatureField all(Feature label, std::size_t n, const Vec3& direction = {}) {
-  return {std::vector<Feature>(n, label), std::vector<Vec3>(n, direction)};
-}
 
 void expect_equals_oracle(const PositionUpdateOptions& options) {
   const std::vector<Vec3> points = random_points(300, 1);
@@ -131,122 +126,6 @@ TEST(UpdatePositions, KeepsASphereWithTheSymmetricOffsetAlone) {
   }
 }
 
-/// A point at height 1 over four in the plane z = 0, which it would reach in one step.
-struct OverPlane {
-  std::vector<Vec3> points{{0, 0, 1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
-  std::vector<Vec3> original = points;
-  PositionUpdateOptions options{.position_scale = 1, .step = 1, .max_move = far};
-
-  [[nodiscard]] Vec3 moved() const {
-    return update_positions(original, points, std::vector<Vec3>(5, up), all(Feature::Surface, 5),
-                            find_neighbors(points, {.max_count = 4}), options)[0];
-  }
-};
-
-TEST(UpdatePositions, MovesAlongTheNormalByTheStep) {
-  OverPlane over;
-  EXPECT_LE(norm(over.moved()), 1e-15);
-  over.options.step = 0.25;
-  EXPECT_LE(norm(over.moved() - Vec3{0, 0, 0.75}), 1e-15);
-}
-
-TEST(UpdatePositions, ClampsAtTheBoundFromTheOriginal) {
-  OverPlane over;
-  over.options.bound = Bound::Clamp;
-  over.options.max_move = 0.4;
-  EXPECT_LE(norm(over.moved() - Vec3{0, 0, 0.6}), 1e-15);
-  over.original[0] = {0, 0, 1.2};
-  EXPECT_LE(norm(over.moved() - Vec3{0, 0, 0.8}), 1e-15);
-  over.original[0] = {0, 0.3, 0.4};  // 0.5 from the origin: four fifths of the way to it
-  EXPECT_LE(norm(over.moved() - Vec3{0, 0.06, 0.08}), 1e-15);
-}
-
-TEST(UpdatePositions, StaysAtTheOriginalWithABoundOfZero) {
-  for (const Bound bound : {Bound::Clamp, Bound::Reject}) {
-    OverPlane over;
-    over.options.bound = bound;
-    over.options.max_move = 0;
-    EXPECT_EQ(over.moved(), over.points[0]);
-    over.points[0].z = over.original[0].z = 0;  // no move at all
-    EXPECT_EQ(over.moved(), over.points[0]);
-  }
-}
-
-TEST(UpdatePositions, RejectsAMoveBeyondTheBound) {
-  OverPlane over;
-  over.options.bound = Bound::Reject;
-  over.options.max_move = 1 + 1e-9;
-  EXPECT_LE(norm(over.moved()), 1e-15);
-  over.options.max_move = 1 - 1e-9;
-  EXPECT_EQ(over.moved(), over.points[0]);
-  over.options.max_move = 1.5;
-  over.original[0] = {0, 0, 2};
-  EXPECT_EQ(over.moved(), over.points[0]);
-}
-
-TEST(UpdatePositions, StaysFiniteWhereTheQuadricIsSingular) {
-  PositionUpdateOptions options{.position_scale = 1, .feature_step = 1, .max_move = 0.5};
-  const std::vector<Vec3> plane = plane_grid(5).points;
-  std::vector<Vec3> line(25);
-  for (std::size_t i = 0; i < line.size(); ++i) line[i].x = static_cast<double>(i);
-  const std::vector<Vec3> distant(25, Vec3{1, 2, 3});
-  for (const std::vector<Vec3>& points : {plane, line, distant}) {
-    const Neighborhoods near = find_neighbors(points, {.max_count = 8});
-    for (const Vec3& normal : {up, Vec3{1, 0, 0}, Vec3{}}) {
-      const std::vector<Vec3> normals(points.size(), normal);
-      for (const Feature label : {Feature::Surface, Feature::Edge, Feature::Corner}) {
-        for (const Quadric quadric : {Quadric::Guarded, Quadric::Plain}) {
-          options.quadric = quadric;
-          const FeatureField field = all(label, points.size(), {1, 0, 0});
-          const auto moved = update_positions(points, points, normals, field, near, options);
-          EXPECT_LE(max_difference(moved, points), 0.5);
-        }
-      }
-    }
-  }
-}
-
-// Coplanar neighbours say nothing of the directions within their plane; what they say of the
-// height still counts.
-TEST(UpdatePositions, GuardedQuadricReachesThePlaneOfCoplanarNeighbors) {
-  const OverPlane over;
-  PositionUpdateOptions options = over.options;
-  options.feature_step = 1;
-  for (const Feature label : {Feature::Edge, Feature::Corner}) {
-    const Vec3 along = label == Feature::Edge ? Vec3{1, 0, 0} : Vec3{};
-    const Vec3 moved =
-        update_positions(over.original, over.points, std::vector<Vec3>(5, up), all(label, 5, along),
-                         find_neighbors(over.points, {.max_count = 4}), options)[0];
-    EXPECT_LE(norm(moved), 0.1);
-  }
-}
-
-// The guarded quadric of coplanar neighbours must not slide a point within their plane.
-TEST(UpdatePositions, GuardedQuadricStaysInItsPlane) {
-  const Sampled plane = plane_grid(7);
-  const auto moved = update_positions(
-      plane.points, plane.points, plane.normals, all(Feature::Corner, plane.points.size()),
-      find_neighbors(plane.points, {.max_count = 8}), {.position_scale = 1, .max_move = far});
-  EXPECT_LE(max_difference(moved, plane.points), 1e-15);
-}
-
-TEST(UpdatePositions, LeavesPointsWithoutNeighborsAndIsolatedOnesAlone) {
-  const std::vector<Vec3> points = random_points(20, 4);
-  const std::vector<Vec3> normals = random_directions(20, 5);
-  const PositionUpdateOptions options{.position_scale = 1, .max_move = far};
-  const Neighborhoods near = find_neighbors(points, {.max_count = 5});
-  EXPECT_EQ(update_positions(points, points, normals, all(Feature::Isolated, 20), near, options),
-            points);
-  const Neighborhoods none = find_neighbors(points, {.radius = 1e-9});
-  for (const Feature label : {Feature::Surface, Feature::Edge, Feature::Corner}) {
-    EXPECT_EQ(update_positions(points, points, normals, all(label, 20), none, options), points);
-  }
-  // Neighbours whose weights vanish say nothing either.
-  const PositionUpdateOptions narrow{.position_scale = 1e-9, .max_move = far};
-  EXPECT_EQ(update_positions(points, points, normals, all(Feature::Surface, 20), near, narrow),
-            points);
-}
-
 TEST(UpdatePositions, IsTheSameForAnyNumberOfThreads) {
   const std::vector<Vec3> points = random_points(4000, 6);
   const std::vector<Vec3> normals = tilted(std::vector<Vec3>(4000, up), 0.4, 7);
@@ -286,96 +165,6 @@ TEST(UpdatePositions, NamesTheWrongOption) {
                                      good);
             }),
             "features.label must have one entry per point (2), got 0");
-}
-
-/// Points, normals and options on which the class of a point depends on where the others are.
-struct Sweep {
-  std::vector<Vec3> original = random_points(150, 8);
-  std::vector<Vec3> normals = tilted(std::vector<Vec3>(150, up), 0.5, 9);
-  Neighborhoods near = find_neighbors(original, {.radius = 0.3});
-  FeatureOptions features{.rho = 0.8};
-  PositionUpdateOptions options{.position_scale = 0.2,
-                                .normal_scale = 0.5,
-                                .step = 0.5,
-                                .feature_step = 1,
-                                .max_move = 0.2,
-                                .offset = Offset::Projected,
-                                .quadric = Quadric::Plain,
-                                .bound = Bound::Reject};
-
-  /// By the definition, with the public functions.
-  void slow(std::vector<Vec3>& points, FeatureField& field,
-            const std::vector<std::uint32_t>& order) const {
-    for (const std::uint32_t i : order) {
-      const FeatureField now = classify_features(points, normals, near, features);
-      field.label[i] = now.label[i];
-      field.direction[i] = now.direction[i];
-      points[i] = update_positions(original, points, normals, now, near, options)[i];
-    }
-  }
-};
-
-TEST(SweepInPlace, EqualsTheSlowWayInAnyOrder) {
-  const Sweep sweep;
-  std::vector<std::uint32_t> by_index(150);
-  for (std::uint32_t i = 0; i < 150; ++i) by_index[i] = i;
-  std::vector<std::uint32_t> some = random_permutation(150, 10);
-  some.resize(60);
-  for (const auto& order : {by_index, random_permutation(150, 11), some}) {
-    std::vector<Vec3> expected = sweep.original;
-    FeatureField labels = all(Feature::Isolated, 150);
-    sweep.slow(expected, labels, order);
-    std::vector<Vec3> points = sweep.original;
-    const FeatureField field = sweep_in_place(sweep.original, points, sweep.normals, sweep.near,
-                                              sweep.features, sweep.options, order);
-    EXPECT_LE(max_difference(points, expected), 1e-12);
-    EXPECT_EQ(field.label, labels.label);
-    EXPECT_LE(max_difference_of_lines(field.direction, labels.direction), 1e-12);
-  }
-}
-
-TEST(SweepInPlace, GoesByIndexWithoutAnOrder) {
-  const Sweep sweep;
-  std::vector<std::uint32_t> by_index(150);
-  for (std::uint32_t i = 0; i < 150; ++i) by_index[i] = i;
-  std::vector<Vec3> given = sweep.original;
-  std::vector<Vec3> none = sweep.original;
-  std::vector<Vec3> other = sweep.original;
-  sweep_in_place(sweep.original, given, sweep.normals, sweep.near, sweep.features, sweep.options,
-                 by_index);
-  sweep_in_place(sweep.original, none, sweep.normals, sweep.near, sweep.features, sweep.options);
-  EXPECT_EQ(given, none);
-  sweep_in_place(sweep.original, other, sweep.normals, sweep.near, sweep.features, sweep.options,
-                 random_permutation(150, 12));
-  EXPECT_NE(given, other);
-}
-
-TEST(SweepInPlace, SeesTheNewPositionsOfThoseBefore) {
-  const Sweep sweep;
-  std::vector<Vec3> points = sweep.original;
-  sweep_in_place(sweep.original, points, sweep.normals, sweep.near, sweep.features, sweep.options);
-  const FeatureField field =
-      classify_features(sweep.original, sweep.normals, sweep.near, sweep.features);
-  const std::vector<Vec3> at_once = update_positions(sweep.original, sweep.original, sweep.normals,
-                                                     field, sweep.near, sweep.options);
-  EXPECT_LE(norm(points[0] - at_once[0]), 1e-15);
-  EXPECT_GT(max_difference(points, at_once), 1e-3);
-}
-
-TEST(SweepInPlace, RefusesAWrongOrderOrOption) {
-  Sweep sweep;
-  const auto error = [&](const std::vector<std::uint32_t>& order) {
-    std::vector<Vec3> points = sweep.original;
-    return invalid_argument_of([&] {
-      sweep_in_place(sweep.original, points, sweep.normals, sweep.near, sweep.features,
-                     sweep.options, order);
-    });
-  };
-  EXPECT_EQ(error({0, 1}), "");
-  EXPECT_THAT(error({0, 150}), HasSubstr("order"));
-  EXPECT_THAT(error({0, 150}), HasSubstr("150"));
-  sweep.features.tau = 2;
-  EXPECT_THAT(error({}), HasSubstr("features.tau"));
 }
 
 }  // namespace
