@@ -48,8 +48,9 @@ std::vector<Vec3> many_duplicates() {
 
 std::vector<Vec3> line() {
   const Vec3 along = random_directions(1, 3)[0];
-  std::vector<Vec3> points;
-  for (int k = 0; k < 100; ++k) points.push_back((0.1 * k) * along);
+  std::vector<Vec3> points(100);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    points[k] = (0.1 * static_cast<double>(k)) * along;
   return points;
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <numeric>
 #include <set>
@@ -31,8 +32,8 @@ PointCloud cloud_of(std::vector<Vec3> points, std::vector<Vec3> normals = {}) {
 PointCloud noisy_cube() { return cloud_of(with_noise(cube(1500, 1).points, 0.04, 2)); }
 PointCloud noisy_sphere() { return cloud_of(with_noise(sphere(1500, 3).points, 0.03, 4)); }
 
-const std::vector<DenoiseOptions> both_methods{{.method = Method::Auto},
-                                               {.method = Method::Yadav2018}};
+constexpr std::array<DenoiseOptions, 2> both_methods{
+    {{.method = Method::Auto}, {.method = Method::Yadav2018}}};
 
 double mean_distance(const std::vector<Vec3>& points, double (*distance)(const Vec3&)) {
   return mean_of(points.size(), [&](std::size_t i) { return distance(points[i]); });

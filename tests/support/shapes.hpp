@@ -66,7 +66,7 @@ inline Sampled plane_grid(int side) {
 
 /// Uniform on the sphere of radius 1 about 0.
 inline Sampled sphere(std::size_t n, unsigned seed) {
-  std::vector<Vec3> directions = random_directions(n, seed);
+  const std::vector<Vec3> directions = random_directions(n, seed);
   return {directions, directions};
 }
 
