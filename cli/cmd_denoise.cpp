@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -95,20 +96,23 @@ std::vector<std::string> add_fields(DenoiseResult& result, const AddedFields& ad
   if (add.displacement) {
     std::vector<float> values;
     values.reserve(result.displacement.size());
-    for (const double moved : result.displacement) values.push_back(static_cast<float>(moved));
+    constexpr double most = std::numeric_limits<float>::max();
+    for (const double moved : result.displacement) {
+      values.push_back(static_cast<float>(std::min(moved, most)));
+    }
     set_attribute(result.cloud, names.emplace_back("deburr_displacement"), std::move(values));
   }
   return names;
 }
 
 void summarize_displacement(const DenoiseResult& result, DenoiseSummary& summary) {
-  double sum = 0;
-  for (const double moved : result.displacement) {
-    sum += moved * moved;
-    summary.max_displacement = std::max(summary.max_displacement, moved);
-  }
+  const double largest = std::ranges::max(result.displacement);
+  summary.max_displacement = largest;
+  if (!(largest > 0)) return;
+  double sum = 0;  // of squares relative to the largest, which cannot overflow
+  for (const double moved : result.displacement) sum += (moved / largest) * (moved / largest);
   const std::size_t finite = summary.report.points - summary.report.non_finite;
-  summary.rms_displacement = std::sqrt(sum / static_cast<double>(finite));
+  summary.rms_displacement = largest * std::sqrt(sum / static_cast<double>(finite));
 }
 
 /// Everything that can be refused before the input is read.
@@ -154,6 +158,7 @@ void run(const DenoiseArgs& args) {
   } else {
     summary.report.points = points;
     summary.report.non_finite = points;
+    summary.report.labels[static_cast<std::size_t>(Feature::Isolated)] = points;
     summary.warnings.emplace_back(args.input + ": no point is finite, written unchanged");
   }
 

@@ -16,6 +16,7 @@ extern "C" void on_signal(int) {
   flag.store(true);
   (void)signal(SIGINT, SIG_DFL);
   (void)signal(SIGTERM, SIG_DFL);
+  (void)signal(SIGHUP, SIG_DFL);
 }
 
 }  // namespace
@@ -27,6 +28,7 @@ void catch_interrupts() {
   action.sa_flags = SA_RESTART;
   (void)sigaction(SIGINT, &action, nullptr);
   (void)sigaction(SIGTERM, &action, nullptr);
+  (void)sigaction(SIGHUP, &action, nullptr);
 }
 
 bool interrupted() { return flag.load(std::memory_order_relaxed); }

@@ -90,8 +90,10 @@ int guarded_run(int argc, const char* const* argv) {
 }  // namespace deburr::cli
 
 int main(int argc, char** argv) {
-  // A closed pipe is then an error of the write, told like any other.
+  // A closed pipe, or a file beyond the size allowed, is then an error of the write, told like any
+  // other.
   (void)std::signal(SIGPIPE, SIG_IGN);
+  (void)std::signal(SIGXFSZ, SIG_IGN);
   deburr::cli::catch_interrupts();
   return deburr::cli::guarded_run(argc, argv);
 }

@@ -27,8 +27,12 @@ void check_output(const std::string& path) {
     throw IoError(path, fmt::format("cannot write: {}", std::strerror(errno)));
   }
   if (fs::is_other(status)) return;  // a pipe or a terminal is not replaced
-  // Through symbolic links: the file is replaced where they point to.
-  const fs::path folder = fs::weakly_canonical(path, ignored).parent_path();
+  // Through symbolic links, also to nowhere: the file is made where they point to.
+  fs::path target = path;
+  for (int i = 0; i < 40 && fs::is_symlink(target, ignored); ++i) {
+    target = target.parent_path() / fs::read_symlink(target, ignored);
+  }
+  const fs::path folder = target.parent_path();
   if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0) {
     throw IoError(path, fmt::format("cannot write in its folder: {}", std::strerror(errno)));
   }
@@ -45,7 +49,8 @@ void check_cloud_output(const std::string& path) {
 void check_different(const std::string& option, const std::string& path, const std::string& other) {
   if (path.empty() || other.empty()) return;
   std::error_code ignored;
-  if (fs::weakly_canonical(path, ignored) == fs::weakly_canonical(other, ignored)) {
+  if (fs::equivalent(path, other, ignored) ||
+      fs::weakly_canonical(path, ignored) == fs::weakly_canonical(other, ignored)) {
     throw std::invalid_argument(fmt::format("{} {} would overwrite {}", option, path, other));
   }
 }
@@ -59,10 +64,21 @@ std::string extension(const std::string& path) {
 }
 
 void write_text(const std::string& path, const std::string& text) {
+  std::error_code error;
+  const bool directly = fs::is_other(fs::status(path, error));  // a pipe or a terminal
+  const fs::path target = fs::weakly_canonical(path, error);
+  const fs::path written =
+      directly ? fs::path(path) : fs::path(fmt::format("{}.{}.tmp", target.string(), getpid()));
   errno = 0;
-  std::ofstream file(path, std::ios::binary);
+  std::ofstream file(written, std::ios::binary);
   file << text << std::flush;
-  if (!file) throw IoError(path, std::strerror(errno));
+  file.close();
+  if (!file) {
+    const int reason = errno;
+    if (!directly) fs::remove(written, error);
+    throw IoError(path, std::strerror(reason));
+  }
+  if (!directly) fs::rename(written, target);
 }
 
 }  // namespace deburr::cli

@@ -13,6 +13,7 @@
 #include "require.hpp"
 #include "schedule.hpp"
 #include "stage_clock.hpp"
+#include "unit.hpp"
 #include "working_set.hpp"
 
 namespace deburr {
@@ -50,9 +51,15 @@ std::vector<Vec3> first_normals(const WorkingSet& set, const DenoiseOptions& opt
   const std::size_t k = published ? options.yadav2018.k : options.automatic.normal_neighbors;
   const Neighborhoods nearest =
       find_neighbors(set.points, {.max_count = k}, sub_execution(execution, "normals", 0, 0.5));
-  const std::vector<Vec3> unoriented =
-      keep ? set.normals
-           : estimate_normals(set.points, nearest, sub_execution(execution, "normals", 0.5, 0.6));
+  std::vector<Vec3> unoriented = set.normals;
+  if (!keep || std::ranges::any_of(unoriented, is_zero)) {
+    const std::vector<Vec3> estimated =
+        estimate_normals(set.points, nearest, sub_execution(execution, "normals", 0.5, 0.6));
+    unoriented.resize(estimated.size());
+    for (std::size_t i = 0; i < estimated.size(); ++i) {
+      if (!keep || is_zero(unoriented[i])) unoriented[i] = estimated[i];
+    }
+  }
   return orient_normals(set.points, unoriented, nearest, execution);
 }
 
@@ -80,21 +87,12 @@ void run(const Schedule& schedule, const WorkingSet& set, State& state, Report& 
                             round == 0 ? schedule.voteless_at_first : Voteless::Keep, quiet);
     });
     std::vector<Vec3> moved = state.points;
-    if (schedule.in_place) {
-      state.features = clock.time("sweep in place", [&] {
-        return sweep_in_place(set.points, moved, state.normals, neighborhoods, schedule.features,
-                              schedule.update, set.sweep, part);
-      });
-    } else {
-      state.features = clock.time("features", [&] {
-        return classify_features(state.points, state.normals, neighborhoods, schedule.features,
-                                 quiet);
-      });
-      moved = clock.time("positions", [&] {
-        return update_positions(set.points, state.points, state.normals, state.features,
-                                neighborhoods, schedule.update, part);
-      });
-    }
+    state.features = clock.time("features and positions", [&] {
+      return schedule.in_place ? sweep_in_place(set.points, moved, state.normals, neighborhoods,
+                                                schedule.features, schedule.update, set.sweep, part)
+                               : sweep_at_once(set.points, moved, state.normals, neighborhoods,
+                                               schedule.features, schedule.update, part);
+    });
     report.rounds.push_back(measure(state.points, moved, set));
     state.points = std::move(moved);
   }
@@ -111,6 +109,7 @@ void fill_result(const WorkingSet& set, const State& state, DenoiseResult& resul
     cloud.points[i] = set.moved(before, set.points[slot], state.points[slot]);
     cloud.normals[i] = state.normals[slot];
     result.labels[i] = state.features.label[slot];
+    if (cloud.points[i] == before) continue;
     // In local coordinates, where no square overflows.
     result.displacement[i] = set.length(norm(state.points[slot] - set.points[slot]));
   }

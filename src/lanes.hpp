@@ -88,12 +88,16 @@ DEBURR_LANES_INLINE Lanes exp_of_negative(const Lanes& x) {
   const Lanes shifted = x * 0x1.71547652b82fep+0 + rounder;
   const Lanes n = shifted - rounder;
   const Lanes r = (x - n * 0x1.62e42feep-1) - n * 0x1.a39ef35793c76p-33;
-  // Taylor series, |r| <= 0.35: the first term left out is 4e-18.
-  Lanes p = all_lanes(1.0 / 6227020800);
-  for (const double c : {1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320,
-                         1.0 / 5040, 1.0 / 720, 1.0 / 120, 1.0 / 24, 1.0 / 6, 0.5, 1.0, 1.0}) {
-    p = p * r + c;
-  }
+  // Taylor series, |r| <= 0.35: the first term left out is 4e-18. Summed in a tree (Estrin), since
+  // one term after the other would wait for each product.
+  const Lanes r2 = r * r;
+  const Lanes r4 = r2 * r2;
+  const Lanes r8 = r4 * r4;
+  const Lanes p0 = (1.0 + r) + r2 * (1.0 / 2 + r * (1.0 / 6));
+  const Lanes p4 = (1.0 / 24 + r * (1.0 / 120)) + r2 * (1.0 / 720 + r * (1.0 / 5040));
+  const Lanes p8 = (1.0 / 40320 + r * (1.0 / 362880)) + r2 * (1.0 / 3628800 + r * (1.0 / 39916800));
+  const Lanes p12 = 1.0 / 479001600 + r * (1.0 / 6227020800);
+  const Lanes p = (p0 + r4 * p4) + r8 * (p8 + r4 * p12);
   // The integer stands in the low bits of `shifted`; it goes to the exponent.
   LaneBits bits;
   std::memcpy(&bits, &shifted, sizeof bits);

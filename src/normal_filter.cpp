@@ -55,7 +55,8 @@ std::vector<Vec3> filter_normals(Normals normals, const Neighborhoods& neighborh
   require_size("neighborhoods", neighborhoods.size(), normals.size());
   require(options.rho >= 0 && options.rho < 1, "normal_filter.rho", "in [0, 1)", options.rho);
   require(options.tau > 0 && options.tau < 1, "normal_filter.tau", "in (0, 1)", options.tau);
-  require(options.damping >= 0, "normal_filter.damping", ">= 0", options.damping);
+  require(options.damping >= 0 && options.damping <= 1e6, "normal_filter.damping", "in [0, 1e6]",
+          options.damping);
 
   std::vector<Vec3> filtered(normals.size());
   parallel_blocks(normals.size(), execution, [&](std::size_t begin, std::size_t end) {

@@ -86,11 +86,6 @@ Neighborhoods spanning_forest(std::size_t n, const std::vector<Edge>& sorted,
   return {std::move(offsets), std::move(indices)};
 }
 
-bool points_down(const Vec3& n) {
-  if (n.z != 0) return n.z < 0;
-  return n.y != 0 ? n.y < 0 : n.x < 0;
-}
-
 }  // namespace
 
 std::vector<Vec3> orient_normals(Points points, Normals normals, const Neighborhoods& neighborhoods,
@@ -123,7 +118,10 @@ std::vector<Vec3> orient_normals(Points points, Normals normals, const Neighborh
       for (const std::uint32_t child : forest[parent]) {
         if (seen[child]) continue;
         seen[child] = true;
-        if (dot(oriented[child], oriented[parent]) < 0) oriented[child] = -oriented[child];
+        const double side = dot(oriented[child], oriented[parent]);
+        if (side < 0 || (side == 0 && points_down(oriented[child]))) {
+          oriented[child] = -oriented[child];
+        }
         open.push_back(child);
       }
     }

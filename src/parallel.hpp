@@ -11,13 +11,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "deburr/error.hpp"
 #include "deburr/execution.hpp"
+#include "require.hpp"
 
 // The only place that knows of threads. Every loop writes item i from item i, and sums are added in
 // a fixed order, so that results have the same bits for any number of threads.
@@ -27,6 +26,9 @@ namespace deburr {
 /// Items that are worked on, or summed, as one.
 inline constexpr std::size_t block_size = 1024;
 
+/// More are never of use, and a slip of the finger must not bring a machine down.
+inline constexpr int most_threads = 256;
+
 /// Throws Cancelled if the caller has asked to stop.
 inline void check_cancelled(const Execution& execution) {
   if (execution.cancelled && execution.cancelled()) throw Cancelled();
@@ -34,9 +36,8 @@ inline void check_cancelled(const Execution& execution) {
 
 /// Number of threads that `execution` asks for.
 inline int thread_count(const Execution& execution) {
-  if (execution.threads < 0) {
-    throw std::invalid_argument("threads must be >= 0, got " + std::to_string(execution.threads));
-  }
+  require(execution.threads >= 0 && execution.threads <= most_threads, "threads", "in [0, 256]",
+          execution.threads);
   return execution.threads > 0 ? execution.threads : tbb::this_task_arena::max_concurrency();
 }
 

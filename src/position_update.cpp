@@ -40,6 +40,24 @@ std::vector<Vec3> update_positions(Points original, Points points, Normals norma
   return moved;
 }
 
+FeatureField sweep_at_once(Points original, std::vector<Vec3>& points, Normals normals,
+                           const Neighborhoods& neighborhoods,
+                           const FeatureOptions& feature_options,
+                           const PositionUpdateOptions& options, const Execution& execution) {
+  validate(original, points, normals, neighborhoods, options);
+  validate(feature_options);
+  FeatureField field{std::vector<Feature>(points.size()), std::vector<Vec3>(points.size())};
+  std::vector<Vec3> moved(points.size());
+  parallel_for(points.size(), execution, [&](std::size_t i) {
+    const PointClass c = classify_point(i, points, normals, neighborhoods[i], feature_options);
+    moved[i] = move_point(i, original[i], points, normals, c, neighborhoods[i], options);
+    field.label[i] = c.label;
+    field.direction[i] = c.direction;
+  });
+  points = std::move(moved);
+  return field;
+}
+
 FeatureField sweep_in_place(Points original, std::vector<Vec3>& points, Normals normals,
                             const Neighborhoods& neighborhoods,
                             const FeatureOptions& feature_options,

@@ -15,12 +15,11 @@ void validate(const Yadav2018Options& o) {
   require(o.rounds >= 0, "yadav2018.rounds", ">= 0", o.rounds);
   require(o.rho >= 0 && o.rho < 1, "yadav2018.rho", "in [0, 1)", o.rho);
   require(o.tau > 0 && o.tau < 1, "yadav2018.tau", "in (0, 1)", o.tau);
-  require(o.damping >= 0 && std::isfinite(o.damping), "yadav2018.damping", "finite and >= 0",
-          o.damping);
+  // Beyond these bounds a parameter has no more effect, but could overflow.
+  require(o.damping >= 0 && o.damping <= 1e6, "yadav2018.damping", "in [0, 1e6]", o.damping);
   require(o.alpha > 0 && o.alpha <= 1, "yadav2018.alpha", "in (0, 1]", o.alpha);
-  require(o.epsilon > 0 && std::isfinite(o.epsilon), "yadav2018.epsilon", "finite and > 0",
-          o.epsilon);
-  require(o.radius > 0 && std::isfinite(o.radius), "yadav2018.radius", "finite and > 0", o.radius);
+  require(o.epsilon > 0 && o.epsilon <= 1e6, "yadav2018.epsilon", "in (0, 1e6]", o.epsilon);
+  require(o.radius > 0 && o.radius <= 1e6, "yadav2018.radius", "in (0, 1e6]", o.radius);
 }
 
 void validate(const AutoOptions& o) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "box.hpp"
 #include "spatial_order.hpp"
@@ -23,10 +24,21 @@ std::vector<std::uint32_t> finite_points(Points points) {
 
 /// A given normal as a unit vector, or zero where it is none.
 Vec3 usable_normal(const Vec3& n) {
-  const double length = norm(n);
-  if (!std::isfinite(length) || !(length > 0)) return {};
+  const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+  if (!is_finite(n) || !(largest > 0)) return {};
   // Unit ones stay as they are: a published run starts from the very bits of the file.
-  return std::abs(length - 1) < 1e-6 ? n : (1 / length) * n;
+  if (std::abs(norm(n) - 1) < 1e-6) return n;
+  const Vec3 scaled{n.x / largest, n.y / largest, n.z / largest};  // its square cannot overflow
+  return (1 / norm(scaled)) * scaled;
+}
+
+/// One of the normals of two points at the same place, by value alone: neither their order nor
+/// their signs matter.
+Vec3 choose_normal(const Vec3& a, const Vec3& b) {
+  if (is_zero(a) || is_zero(b)) return is_zero(a) ? b : a;
+  const Vec3 p = points_down(a) ? -a : a;
+  const Vec3 q = points_down(b) ? -b : b;
+  return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z) ? p : q;
 }
 
 /// Moves and scales points (by a power of two, which is exact); returns the exponent.
@@ -48,7 +60,8 @@ int make_local(std::vector<Vec3>& points) {
 Vec3 WorkingSet::moved(const Vec3& in_cloud, const Vec3& from, const Vec3& to) const {
   if (from == to) return in_cloud;
   const Vec3 d = to - from;
-  return in_cloud + Vec3{length(d.x), length(d.y), length(d.z)};
+  const Vec3 place = in_cloud + Vec3{length(d.x), length(d.y), length(d.z)};
+  return is_finite(place) ? place : in_cloud;  // beyond the largest double
 }
 
 double WorkingSet::length(double local) const { return std::scalbn(local, exponent); }
@@ -67,8 +80,8 @@ WorkingSet make_working_set(const PointCloud& cloud, const WorkingSetOptions& op
     if (!duplicate || !options.merge_duplicates) {
       set.points.push_back(candidates[c]);
       set.normals.push_back(normal);
-    } else if (is_zero(set.normals.back())) {
-      set.normals.back() = normal;
+    } else {
+      set.normals.back() = choose_normal(set.normals.back(), normal);
     }
     set.slot[finite[c]] = static_cast<std::uint32_t>(set.points.size() - 1);
   }

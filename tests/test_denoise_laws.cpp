@@ -136,6 +136,38 @@ TEST(DenoiseLaws, DoesNotDependOnTheSignsOfTheNormals) {
   }
 }
 
+/// Exactly perpendicular neighbours: no sign can be passed on between the faces of a cube.
+TEST(DenoiseLaws, DoesNotDependOnTheSignsOfPerpendicularNormals) {
+  const Sampled exact = cube(1500, 1);
+  const std::vector<Vec3> points = with_noise(exact.points, 0.01, 2);
+  expect_same_result(run(points, with_random_signs(exact.normals, 3)),
+                     run(points, with_random_signs(exact.normals, 4)));
+}
+
+TEST(DenoiseLaws, EstimatesTheNormalsThatAreMissing) {
+  const std::vector<Vec3> points = noisy_cube();
+  const std::vector<Vec3> none(points.size());
+  const std::vector<Vec3> broken(points.size(), Vec3{not_a_number, 0, 1});
+  const DenoiseResult estimated = run(points);
+  expect_same_result(run(points, none), estimated);
+  expect_same_result(run(points, broken), estimated);
+}
+
+TEST(DenoiseLaws, DoesNotDependOnTheOrderOfDuplicatesWithOtherNormals) {
+  const Sampled exact = cube(800, 1);
+  std::vector<Vec3> points = with_noise(exact.points, 0.02, 2);
+  std::vector<Vec3> normals = exact.normals;
+  points.insert(points.end(), points.begin(), points.begin() + 800);
+  const std::vector<Vec3> others = tilted(exact.normals, 0.3, 5);
+  normals.insert(normals.end(), others.begin(), others.end());
+  DenoiseResult there = run(points, normals);
+  std::ranges::reverse(points);
+  std::ranges::reverse(normals);
+  const DenoiseResult back = run(points, normals);
+  std::ranges::reverse(there.cloud.points);
+  EXPECT_EQ(there.cloud.points, back.cloud.points);
+}
+
 TEST(DenoiseLaws, IsTheSameForAnyNumberOfThreads) {
   const std::vector<Vec3> points = noisy_cube();
   const DenoiseResult one = run(points, {}, {.threads = 1});

@@ -58,13 +58,13 @@ TEST(DenoiseOptions, NamesTheWrongOptionOfThePublishedMethod) {
   EXPECT_EQ(error_after([&](auto&, auto& y) { y.tau = nan; }),
             "yadav2018.tau must be in (0, 1), got nan");
   EXPECT_EQ(error_after([](auto&, auto& y) { y.damping = -1; }),
-            "yadav2018.damping must be finite and >= 0, got -1");
+            "yadav2018.damping must be in [0, 1e6], got -1");
   EXPECT_EQ(error_after([](auto&, auto& y) { y.alpha = 0; }),
             "yadav2018.alpha must be in (0, 1], got 0");
   EXPECT_EQ(error_after([](auto&, auto& y) { y.epsilon = HUGE_VAL; }),
-            "yadav2018.epsilon must be finite and > 0, got inf");
+            "yadav2018.epsilon must be in (0, 1e6], got inf");
   EXPECT_EQ(error_after([](auto&, auto& y) { y.radius = -2; }),
-            "yadav2018.radius must be finite and > 0, got -2");
+            "yadav2018.radius must be in (0, 1e6], got -2");
 }
 
 TEST(DenoiseOptions, RefusesHalfTheNormalsAndNegativeThreads) {
@@ -74,7 +74,7 @@ TEST(DenoiseOptions, RefusesHalfTheNormalsAndNegativeThreads) {
   EXPECT_EQ(invalid_argument_of([&] { (void)denoise(cloud); }),
             "normals must have one entry per point (9), got 1");
   EXPECT_THAT(invalid_argument_of([] { (void)denoise({}, {}, {.threads = -2}); }),
-              HasSubstr("threads must be >= 0, got -2"));
+              HasSubstr("threads must be in [0, 256], got -2"));
 }
 
 }  // namespace

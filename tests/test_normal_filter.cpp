@@ -134,7 +134,7 @@ TEST(FilterNormals, NamesTheWrongOption) {
   EXPECT_EQ(error({.rho = std::nan("")}), "normal_filter.rho must be in [0, 1), got nan");
   EXPECT_EQ(error({.tau = 0}), "normal_filter.tau must be in (0, 1), got 0");
   EXPECT_EQ(error({.tau = 1}), "normal_filter.tau must be in (0, 1), got 1");
-  EXPECT_EQ(error({.damping = -0.5}), "normal_filter.damping must be >= 0, got -0.5");
+  EXPECT_EQ(error({.damping = -0.5}), "normal_filter.damping must be in [0, 1e6], got -0.5");
   EXPECT_EQ(error({.rho = 0, .damping = 0}), "");
   EXPECT_EQ(invalid_argument_of([] { (void)filter_normals(std::vector<Vec3>(2), {}); }),
             "neighborhoods must have one entry per point (2), got 0");

@@ -32,10 +32,10 @@ struct Yadav2018Options {
   int rounds = 50;       ///< >= 0; there is no stopping test
   double rho = 0.9;      ///< similarity of normals: n_i . n_j > rho; in [0, 1)
   double tau = 0.25;     ///< eigenvalue threshold of both stages; in (0, 1)
-  double damping = 3;    ///< share of the old normal, >= 0
+  double damping = 3;    ///< share of the old normal; in [0, 1e6]
   double alpha = 0.1;    ///< step of surface points; in (0, 1]
-  double epsilon = 2;    ///< largest distance from the original position, in dbar, > 0
-  double radius = 2;     ///< r, scale of the weights, in dbar, > 0; neighbours lie within 2.5 r
+  double epsilon = 2;    ///< largest distance from the original position, in dbar; in (0, 1e6]
+  double radius = 2;     ///< r, scale of the weights, in dbar; in (0, 1e6]; neighbours: 2.5 r
   bool rebuild = false;  ///< find the neighbourhoods again in every round
   bool in_place = true;  ///< a point sees the new positions of those before it
 };
@@ -98,9 +98,10 @@ struct DenoiseResult {
 /// Takes the noise off a point cloud and keeps its edges and corners.
 ///
 /// Runs rounds of three stages: filter the normals, label each point surface, edge or corner, move
-/// it to agree with the normals around it, never farther than a bound. Points that are not finite,
-/// or have nothing near them to be compared with, stay as they are to the last bit and are labelled
-/// isolated. A cloud of fewer than 4 distinct points comes back unchanged.
+/// it to agree with the normals around it, never farther than a bound. Normals of the cloud that
+/// are zero or not finite are estimated (Method::Yadav2018 leaves such points alone). Points that
+/// are not finite, or have nothing near them to be compared with, stay as they are to the last bit
+/// and are labelled isolated. A cloud of fewer than 4 distinct points comes back unchanged.
 ///
 /// Source: Yadav, Reitebuch, Skrodzki, Zimmermann, Polthier, Constraint-based point set denoising
 /// using normal voting tensor and restricted quadratic error metrics, Computers & Graphics 74,

@@ -15,7 +15,7 @@ struct Progress {
 
 /// How to run a computation. Nothing in here can change its result.
 struct Execution {
-  /// Number of threads, >= 0; 0 uses every core that the process may run on.
+  /// Number of threads, 0 to 256; 0 uses every core that the process may run on.
   int threads = 0;
   /// Called on the caller's thread between steps of the work; may throw to stop it.
   std::function<void(const Progress&)> progress{};

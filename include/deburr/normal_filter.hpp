@@ -14,7 +14,7 @@ namespace deburr {
 struct NormalFilterOptions {
   double rho = 0.9;    ///< a neighbour votes when n_i . n_j > rho; in [0, 1)
   double tau = 0.25;   ///< eigenvalues below this share of their sum become 0; in (0, 1)
-  double damping = 3;  ///< share of the old normal against the filtered one, >= 0
+  double damping = 3;  ///< share of the old normal against the filtered one; in [0, 1e6]
   /// The eigen-decomposition stops when the off-diagonal entries sum to this; 0 for full precision.
   double eigen_tolerance = 0;
 };

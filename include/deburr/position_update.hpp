@@ -62,6 +62,15 @@ struct PositionUpdateOptions {
                                                  const PositionUpdateOptions& options,
                                                  const Execution& execution = {});
 
+/// classify_features and update_positions in one pass over the neighbours, which is faster and
+/// gives the same bits.
+/// @param[in,out] points  the positions
+/// @return the class of every point before it was moved
+/// @throws std::invalid_argument  as classify_features and update_positions
+FeatureField sweep_at_once(Points original, std::vector<Vec3>& points, Normals normals,
+                           const Neighborhoods& neighborhoods, const FeatureOptions& features,
+                           const PositionUpdateOptions& options, const Execution& execution = {});
+
 /// The sweep of the authors' program: classifies and moves one point after the other, so that a
 /// point sees the new positions of those before it. Runs on one thread.
 /// @param[in,out] points  the positions

@@ -56,6 +56,11 @@ TEST_F(CliErrors, WrongUsageIsExitCode2) {
   expect_failure({"synth", "part", "out.ply", "--truth", "out.ply"}, 2, "would overwrite");
   expect_failure({"synth", "part", "out.ply", "--truth", "truth.xyz"}, 2, "--truth truth.xyz");
   expect_failure({"denoise", "scan.ply", "out.ply", "--report", "scan.ply"}, 2, "would overwrite");
+  std::filesystem::create_hard_link("scan.ply", "same.json");
+  expect_failure({"denoise", "scan.ply", "out.ply", "--report", "same.json"}, 2, "would overwrite");
+  expect_failure({"denoise", "scan.ply", "out.ply", "--threads", "100000000"}, 2, "[0, 256]");
+  std::filesystem::create_symlink("missing/out.ply", "dangling.ply");
+  expect_failure({"denoise", "scan.ply", "dangling.ply"}, 3, "dangling.ply");
   EXPECT_FALSE(std::filesystem::exists("out.ply"));
 }
 

@@ -90,6 +90,19 @@ TEST(SweepInPlace, SeesTheNewPositionsOfThoseBefore) {
   EXPECT_GT(max_difference(points, at_once), 1e-3);
 }
 
+TEST(SweepAtOnce, HasTheBitsOfItsTwoStages) {
+  const Sweep sweep;
+  const FeatureField expected =
+      classify_features(sweep.original, sweep.normals, sweep.near, sweep.features);
+  std::vector<Vec3> points = sweep.original;
+  const FeatureField field = sweep_at_once(sweep.original, points, sweep.normals, sweep.near,
+                                           sweep.features, sweep.options);
+  EXPECT_EQ(points, update_positions(sweep.original, sweep.original, sweep.normals, expected,
+                                     sweep.near, sweep.options));
+  EXPECT_EQ(field.label, expected.label);
+  EXPECT_EQ(field.direction, expected.direction);
+}
+
 TEST(SweepInPlace, RefusesAWrongOrderOrOption) {
   Sweep sweep;
   const auto error = [&](const std::vector<std::uint32_t>& order) {
