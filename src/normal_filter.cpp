@@ -41,7 +41,7 @@ Vec3 project_on_dominant(const Sym3& tensor, const NormalFilterOptions& options,
   const Spectrum s = spectrum(tensor, options.eigen_tolerance);
   const double total = s.values[0] + s.values[1] + s.values[2];
   Vec3 projected = dot(s.vectors[0], n) * s.vectors[0];
-  for (const std::size_t q : {1, 2}) {
+  for (std::size_t q = 1; q < 3; ++q) {
     if (!(s.values[q] < options.tau * total)) projected += dot(s.vectors[q], n) * s.vectors[q];
   }
   return projected;

@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(AllCases, BadInput,
 
 TEST(BadInputLaws, ReturnsFewerThanFourDistinctPointsUnchanged) {
   for (const Method method : {Method::Auto, Method::Yadav2018}) {
-    for (const std::size_t distinct : {1, 2, 3}) {
+    for (const std::size_t distinct : {1U, 2U, 3U}) {
       PointCloud cloud;
       for (std::size_t i = 0; i < 40; ++i) {
         cloud.points.push_back(random_points(distinct, 8)[i % distinct]);

@@ -12,7 +12,8 @@ namespace deburr {
 namespace {
 
 TEST(Lanes, ExpIsAccurate) {
-  for (double x = 0; x > -700; x -= 0.37) {
+  for (int i = 0; i < 1890; ++i) {
+    const double x = -0.37 * i;
     const double expected = std::exp(x);
     EXPECT_NEAR(exp_of_negative(all_lanes(x))[3], expected, 2e-15 * expected) << x;
   }

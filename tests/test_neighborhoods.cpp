@@ -13,7 +13,6 @@ namespace deburr {
 namespace {
 
 using testing::ElementsAre;
-using testing::IsEmpty;
 
 std::vector<std::uint32_t> brute_force(Points points, std::size_t i, const NeighborOptions& o) {
   std::vector<std::pair<double, std::uint32_t>> all;
@@ -24,6 +23,7 @@ std::vector<std::uint32_t> brute_force(Points points, std::size_t i, const Neigh
   std::sort(all.begin(), all.end());
   if (o.max_count > 0 && all.size() > o.max_count) all.resize(o.max_count);
   std::vector<std::uint32_t> indices;
+  indices.reserve(all.size());
   for (const auto& [d, j] : all) indices.push_back(j);
   return indices;
 }
