@@ -80,12 +80,21 @@ void KdTree::search(std::uint32_t node, const Vec3& at, const Found& limit,
 
 void KdTree::nearest(std::uint32_t query, std::size_t count, double squared_radius,
                      std::vector<Found>& found) const {
+  nearest(points_[query], query, count, squared_radius, found);
+}
+
+void KdTree::nearest(const Vec3& at, std::size_t count, std::vector<Found>& found) const {
+  nearest(at, any_index, count, std::numeric_limits<double>::infinity(), found);
+}
+
+void KdTree::nearest(const Vec3& at, std::uint32_t but, std::size_t count, double squared_radius,
+                     std::vector<Found>& found) const {
   found.clear();
   if (count == 0 || nodes_.empty()) return;
   // A max-heap of the best so far, with the worst in front.
   Found limit{squared_radius, any_index};
-  search(0, points_[query], limit, [&](const Found& f) {
-    if (f.index == query || limit < f) return;
+  search(0, at, limit, [&](const Found& f) {
+    if (f.index == but || limit < f) return;
     if (found.size() == count) {
       std::pop_heap(found.begin(), found.end());
       found.pop_back();

@@ -33,6 +33,9 @@ class KdTree {
   void nearest(std::uint32_t query, std::size_t count, double squared_radius,
                std::vector<Found>& found) const;
 
+  /// The `count` points nearest to a finite place, which need not be a point, likewise.
+  void nearest(const Vec3& at, std::size_t count, std::vector<Found>& found) const;
+
   /// All other points of point `query` no farther than sqrt(squared_radius), likewise.
   void within(std::uint32_t query, double squared_radius, std::vector<Found>& found) const;
 
@@ -52,6 +55,8 @@ class KdTree {
   };
 
   void build(std::uint32_t begin, std::uint32_t end, const Execution& execution);
+  void nearest(const Vec3& at, std::uint32_t but, std::size_t count, double squared_radius,
+               std::vector<Found>& found) const;
   template <typename Visit>
   void search(std::uint32_t node, const Vec3& at, const Found& limit, const Visit& visit) const;
 

@@ -4,61 +4,49 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <vector>
 
-#include "deburr/neighborhoods.hpp"
+#include "kd_tree.hpp"
+#include "noise_statistics.hpp"
 #include "parallel.hpp"
-#include "sym3.hpp"
+#include "patch_survey.hpp"
+#include "working_set.hpp"
 
 namespace deburr {
-namespace {
 
-/// Points in a plane fit besides its centre.
-constexpr std::size_t fit_neighbors = 24;
-
-/// A plane fitted to a point and its neighbours.
-struct Fit {
-  double variation;  ///< smallest eigenvalue over their sum: 0 is flat
-  double residual;   ///< distance of the point from the plane
-};
-
-Fit fit_plane(Points points, std::size_t i, std::span<const std::uint32_t> neighbors) {
-  const double count = static_cast<double>(neighbors.size()) + 1;
-  Vec3 sum;
-  for (const std::uint32_t j : neighbors) sum += points[j] - points[i];
-  const Vec3 mean = (1 / count) * sum;
-  Sym3 covariance;
-  covariance.add_outer(1, mean);
-  for (const std::uint32_t j : neighbors) covariance.add_outer(1, points[j] - points[i] - mean);
-  // Also where squares overflow: a NaN would break the order of the fits.
-  if (!(covariance.trace() > 0) || !std::isfinite(covariance.trace())) return {0, 0};
-  const Spectrum s = spectrum(covariance);
-  return {std::max(0.0, s.values[2]) / covariance.trace(), std::abs(dot(s.vectors[2], mean))};
+NoiseEstimate measure_noise(Points points, const Execution& execution) {
+  const bool debug = std::getenv("NDEB") != nullptr;
+  const double c0 = std::getenv("NC") ? atof(std::getenv("NC")) : 3.3; const double c1=std::getenv("NC1") ? atof(std::getenv("NC1")) : 10; double suff=0,suff0=0;
+  PointCloud cloud;
+  cloud.points.assign(points.begin(), points.end());
+  const WorkingSet set = make_working_set(
+      cloud, {.merge_duplicates = true, .local_coordinates = true}, execution);
+  if (set.points.size() < 16) return {};
+  const KdTree tree(set.points, execution);
+  PatchSurvey survey(set.points, tree);
+  NoiseEstimate before;
+  NoiseEstimate now;
+  while (survey.has_size(survey.sizes())) {
+    survey.add_size(execution);
+    before = now; suff0=suff; suff=c0*(1+c1/(double)survey.count(survey.sizes()-1));
+    now = combine_patches(survey.patches(survey.sizes() - 1));
+    if (debug) std::printf("k=%zu n=%zu sigma=%.4g spacing=%.4g reach=%.4g r/s=%.3f\n", survey.count(survey.sizes()-1), survey.patches(survey.sizes()-1).size(), set.length(now.sigma), set.length(now.spacing), set.length(now.reach), now.reach/now.sigma);
+    if (now.reach >= suff * now.sigma && !debug) break;
+  }
+  if (survey.sizes() > 1 && now.reach >= suff * now.sigma) {
+    const double a = std::log(before.reach / before.sigma/suff0);
+    const double b = std::log(now.reach / now.sigma/suff);
+    const double t = b>a?std::clamp(-a / (b-a),0.,1.):1;
+    now.sigma = 1.02*before.sigma * std::pow(now.sigma / before.sigma, t);
+    now.reach = suff * now.sigma;
+  }
+  return {set.length(now.sigma), set.length(now.spacing), set.length(now.reach)};
 }
 
-}  // namespace
-
 double estimate_noise(Points points, const Execution& execution) {
-  std::vector<Vec3> finite;
-  finite.reserve(points.size());
-  std::copy_if(points.begin(), points.end(), std::back_inserter(finite), is_finite);
-  if (finite.size() < 16) return 0;
-  const Neighborhoods neighborhoods = find_neighbors(finite, {.max_count = fit_neighbors},
-                                                     sub_execution(execution, "noise", 0, 0.8));
-  std::vector<Fit> fits(finite.size());
-  parallel_for(finite.size(), sub_execution(execution, "noise", 0.8, 1),
-               [&](std::size_t i) { fits[i] = fit_plane(finite, i, neighborhoods[i]); });
-
-  const auto half = fits.begin() + static_cast<std::ptrdiff_t>(fits.size() / 2);
-  std::nth_element(fits.begin(), half, fits.end(), [](const Fit& a, const Fit& b) {
-    return a.variation != b.variation ? a.variation < b.variation : a.residual < b.residual;
-  });
-  const auto middle = fits.begin() + (half - fits.begin()) / 2;
-  std::nth_element(fits.begin(), middle, half,
-                   [](const Fit& a, const Fit& b) { return a.residual < b.residual; });
-  // A plane through n points takes 1/n of the variance at their centre with it.
-  const double n = static_cast<double>(neighborhoods[0].size()) + 1;
-  return 1.4826 * middle->residual / std::sqrt(1 - 1 / n);
+  return measure_noise(points, execution).sigma;
 }
 
 }  // namespace deburr

@@ -78,13 +78,13 @@ void parallel_sort(std::vector<Value>& values, const Execution& execution) {
 }
 
 /// Calls body(begin, end) on blocks that cover [0, n); any exception is thrown on to the caller.
-template <typename Body>
+template <std::size_t size = block_size, typename Body>
 void parallel_blocks(std::size_t n, const Execution& execution, const Body& body) {
   // Progress is told on the caller's thread, so the loop comes back to it now and then.
-  constexpr std::size_t stretch = 64 * block_size;
+  constexpr std::size_t stretch = 64 * size;
   for (std::size_t from = 0; from < n; from += stretch) {
     const std::size_t to = std::min(n, from + stretch);
-    const std::size_t blocks = (to - from + block_size - 1) / block_size;
+    const std::size_t blocks = (to - from + size - 1) / size;
     check_cancelled(execution);
     with_threads(execution, [&] {
       tbb::parallel_for(
@@ -92,8 +92,8 @@ void parallel_blocks(std::size_t n, const Execution& execution, const Body& body
           [&](const tbb::blocked_range<std::size_t>& range) {
             for (std::size_t b = range.begin(); b != range.end(); ++b) {
               check_cancelled(execution);
-              const std::size_t begin = from + b * block_size;
-              body(begin, std::min(to, begin + block_size));
+              const std::size_t begin = from + b * size;
+              body(begin, std::min(to, begin + size));
             }
           },
           tbb::simple_partitioner());

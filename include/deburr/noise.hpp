@@ -2,18 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "deburr/execution.hpp"
 #include "deburr/vec3.hpp"
 
 namespace deburr {
 
-/// Estimates the standard deviation of the noise across the surface, in input units, from the
-/// points alone: 1.4826 x the median absolute residual of local plane fits, over the half of the
-/// points whose fits are flattest, corrected for the degrees of freedom of the fit.
-///
-/// Points that are not finite do not count. 0 when fewer than 16 points are left. A plane fitted to
-/// 24 points cannot see noise much larger than the extent of those points: beyond
-/// about one spacing the estimate is too low.
+/// The noise of a cloud, and lengths to compare it with. All in input units.
+struct NoiseEstimate {
+  double sigma = 0;    ///< standard deviation of the noise across the surface
+  double spacing = 0;  ///< square root of the surface's area per distinct point
+  double reach = 0;    ///< radius about a point within which the noise was told from the surface
+};
+
+/// Estimates the noise from the points alone.
+[[nodiscard]] NoiseEstimate measure_noise(Points points, const Execution& execution = {});
+
+/// measure_noise(points, execution).sigma
 [[nodiscard]] double estimate_noise(Points points, const Execution& execution = {});
 
 }  // namespace deburr
