@@ -17,6 +17,9 @@ struct SurfacePatch {
   double freedom = 0;   ///< degrees of freedom of `variance`; 0 where nothing could be fitted
   double reach = 0;     ///< radius of the ball that the points were taken from
   double spacing = 0;   ///< square root of the area per point
+  /// Half the mean squared difference of neighbouring residuals over `variance`: about 1 for noise,
+  /// less where the residuals follow a shape that no quadric has.
+  double whiteness = 0;
 };
 
 /// Fits quadrics to the points about a place.
@@ -28,15 +31,28 @@ class PatchFitter {
   /// The patch of the `count` points nearest to `place`, which is moved onto the surface.
   SurfacePatch fit(Vec3& place, std::size_t count);
 
+  /// The heights over the last patch of all points across it that are among the `count` nearest to
+  /// its middle, also those far off, which fit() leaves out.
+  /// @pre the last patch has a freedom > 0
+  const std::vector<double>& heights(std::size_t count);
+  /// How far up and down heights() looks at least.
+  [[nodiscard]] double height_limit() const;
+
  private:
   void find(const Vec3& place, std::size_t count);
   [[nodiscard]] Frame principal_frame(const Vec3& place) const;
   QuadricFit fit_all(const Frame& frame);
-  QuadricFit fit_cylinder(const Frame& frame, double radius, double height);
+  QuadricFit fit_cylinder(double radius, double height);
+  [[nodiscard]] double half_squared_step() const;
 
   Points points_;
   const KdTree& tree_;
   double reach_ = 0;
+  // Of the last patch:
+  Frame frame_;
+  QuadricFit fit_;
+  double radius_ = 0;
+  std::vector<double> heights_;
   std::vector<Found> found_;
   std::vector<Vec3> local_;
 };

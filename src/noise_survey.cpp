@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include "noise_survey.hpp"
+
+#include <algorithm>
+
+#include "noise_tails.hpp"
+#include "parallel.hpp"
+
+namespace deburr {
+namespace {
+
+constexpr std::size_t fewest_points = 16;
+/// Larger patches tell more of the noise than smaller ones do, but up to here only, beyond which
+/// curvature shows.
+constexpr std::size_t most_to_grow = 48;
+/// Patches of up to so many points can mistake noise with heavy tails for a surface with points off
+/// it.
+constexpr std::size_t most_with_tails = 100;
+constexpr std::size_t places_for_tails = 512;
+
+WorkingSet distinct_points(Points points, const Execution& execution) {
+  PointCloud cloud;
+  cloud.points.assign(points.begin(), points.end());
+  return make_working_set(cloud, {.merge_duplicates = true, .local_coordinates = true}, execution);
+}
+
+}  // namespace
+
+NoiseSurvey::NoiseSurvey(Points points, const Execution& execution)
+    : set_(distinct_points(points, sub_execution(execution, "noise", 0, 0.3))),
+      tree_(set_.points, execution),
+      patches_(set_.points, tree_) {}
+
+bool NoiseSurvey::has_enough_points() const { return set_.points.size() >= fewest_points; }
+
+void NoiseSurvey::add_size(const Execution& execution) {
+  const std::size_t size = patches_.sizes();
+  patches_.add_size({.threads = execution.threads, .cancelled = execution.cancelled});
+  sizes_.push_back(combine(patches_.patches(size), patches_.count(size), flattest_of_all));
+}
+
+NoiseEstimate NoiseSurvey::overall(const Execution& execution) {
+  if (!has_enough_points()) return {};
+  do {
+    add_size(execution);
+  } while (sizes_.back().resolution() < 1 && patches_.has_size(patches_.sizes()));
+  SizeEstimate best = sizes_.back();
+  if (best.resolution() >= 1) {
+    const std::size_t resolved = sizes_.size();
+    if (resolved > 1) best = between(sizes_[resolved - 2], best);
+    const SizeEstimate smallest = sizes_.back();
+    while (patches_.count(patches_.sizes()) <= most_to_grow && patches_.has_size(patches_.sizes())) {
+      add_size(execution);
+      if (!continues(smallest, sizes_.back())) break;
+      best.sigma = sizes_.back().sigma;
+    }
+    best.sigma = whole_sigma(smallest.count, best.sigma, execution);
+  }
+  if (execution.progress) execution.progress({"noise", 1});
+  return {best.sigma, best.spacing, best.reach};
+}
+
+double NoiseSurvey::whole_sigma(std::size_t count, double sigma, const Execution& execution) const {
+  if (count > most_with_tails) return sigma;
+  const std::vector<Vec3>& sample = patches_.sample();
+  const std::size_t step = std::max<std::size_t>(1, sample.size() / places_for_tails);
+  std::vector<Vec3> places;
+  for (std::size_t i = 0; i < sample.size(); i += step) places.push_back(sample[i]);
+  return with_tails(set_.points, tree_, places, count, sigma,
+                    {.threads = execution.threads, .cancelled = execution.cancelled});
+}
+
+}  // namespace deburr

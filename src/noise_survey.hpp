@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "deburr/execution.hpp"
+#include "kd_tree.hpp"
+#include "noise_statistics.hpp"
+#include "patch_survey.hpp"
+#include "working_set.hpp"
+
+namespace deburr {
+
+/// The distinct finite points of a cloud, and what patches of them show. Lengths are those of the
+/// working set, in which no square overflows.
+class NoiseSurvey {
+ public:
+  NoiseSurvey(Points points, const Execution& execution);
+  NoiseSurvey(const NoiseSurvey&) = delete;  // parts refer to each other
+  NoiseSurvey& operator=(const NoiseSurvey&) = delete;
+
+  /// Looks at patches of growing size until they resolve the noise.
+  NoiseEstimate overall(const Execution& execution);
+
+  [[nodiscard]] const WorkingSet& set() const { return set_; }
+  [[nodiscard]] bool has_enough_points() const;
+  [[nodiscard]] PatchSurvey& patches() { return patches_; }
+
+ private:
+  void add_size(const Execution& execution);
+  [[nodiscard]] double whole_sigma(std::size_t count, double sigma,
+                                   const Execution& execution) const;
+
+  WorkingSet set_;
+  KdTree tree_;
+  PatchSurvey patches_;
+  std::vector<SizeEstimate> sizes_;
+};
+
+}  // namespace deburr
