@@ -118,10 +118,15 @@ nlohmann::ordered_json to_json(const CloudInfo& info) {
   }
   Json box;
   if (info.box) box = {{"min", to_json(info.box->low)}, {"max", to_json(info.box->high)}};
-  return {{"points", info.points},          {"non_finite", info.non_finite},
-          {"duplicates", info.duplicates},  {"bounding_box", box},
-          {"spacing", info.spacing},        {"noise", info.noise},
-          {"fields", to_json(info.fields)}, {"elements", elements},
+  return {{"points", info.points},
+          {"non_finite", info.non_finite},
+          {"duplicates", info.duplicates},
+          {"bounding_box", box},
+          {"spacing", info.spacing},
+          {"noise", info.noise},
+          {"noise_in_spacings", info.noise_in_spacings()},
+          {"fields", to_json(info.fields)},
+          {"elements", elements},
           {"comments", info.comments}};
 }
 
@@ -141,7 +146,8 @@ std::string to_text(const CloudInfo& info) {
     line("z", fmt::format("{:.12g} to {:.12g}", low.z, high.z));
   }
   line("spacing", fmt::format("{:.6g}", info.spacing));
-  line("noise", fmt::format("{:.6g} (estimated)", info.noise));
+  line("noise",
+       fmt::format("{:.6g} (estimated; {:.3g} spacings)", info.noise, info.noise_in_spacings()));
   line("fields", to_text(info.fields));
   for (const ElementInfo& element : info.elements) {
     line("element",

@@ -39,10 +39,12 @@ struct CloudInfo {
   std::size_t duplicates = 0;  ///< points at the very place of another one
   std::optional<Box> box;      ///< of the finite points, where there are some
   double spacing = 0;          ///< mean distance to the 12 nearest points at other places
-  double noise = 0;            ///< estimated standard deviation
+  double noise = 0;            ///< estimated standard deviation across the surface
   std::vector<FieldInfo> fields;
   std::vector<ElementInfo> elements;
   std::size_t comments = 0;
+
+  [[nodiscard]] double noise_in_spacings() const { return spacing > 0 ? noise / spacing : 0; }
 };
 
 [[nodiscard]] CloudInfo measure(const PointCloud& cloud, int threads, ProgressBar& bar);

@@ -20,6 +20,9 @@ constexpr std::size_t interpolated = 6;
 /// Sizes beyond the one that resolves the overall noise: patches four times as wide.
 constexpr std::size_t more_sizes = 8;
 
+/// No noise at all has no logarithm; what is below this, of a cloud of size 1, is rounding.
+constexpr double least = 1e-14;
+
 /// What one neighbourhood of places shows.
 struct Group {
   double log_sigma = 0;
@@ -31,7 +34,7 @@ struct Group {
 /// How much of a difference in log sigma to believe, after James and Stein, Estimation with
 /// quadratic loss, 1961, eq. (8): what is within its own scatter is taken back to 0.
 double believed(double difference, double white) {
-  constexpr double scatter = 0.3;
+  constexpr double scatter = 0.2;
   constexpr double fewest_white = 0.15;
   constexpr double enough_white = 0.4;
   if (!(std::abs(difference) > scatter)) return 0;
@@ -66,14 +69,14 @@ void add_size(const PatchSurvey& survey, std::size_t size, const NoiseEstimate& 
       near.clear();
       for (const Found& f : found) near.push_back(patches[f.index]);
       const SizeEstimate now = combine(near, survey.count(size), flattest_of_few);
-      if (!(now.sigma > 0)) continue;
+      if (!(now.spacing > 0)) continue;
       const SizeEstimate best = size > 0 ? between(group.before, now) : now;
       group.log_spacing = std::log(now.spacing);
       group.before = now;
       if (now.resolution() < 1) continue;
       group.resolved = true;
-      group.log_sigma = std::log(best.sigma);
-      if (overall.sigma > 0) {
+      group.log_sigma = std::log(std::max(best.sigma, least));
+      if (overall.sigma > least) {
         const double log_overall = std::log(overall.sigma);
         group.log_sigma = log_overall + believed(group.log_sigma - log_overall, now.white);
       }
@@ -85,8 +88,6 @@ void add_size(const PatchSurvey& survey, std::size_t size, const NoiseEstimate& 
 std::vector<Group> group_noise(NoiseSurvey& survey, const NoiseEstimate& overall,
                                const Execution& execution) {
   PatchSurvey& patches = survey.patches();
-  // No noise at all has no logarithm; nothing is below this that is not rounding.
-  constexpr double least = 1e-14;
   const Group unknown{.log_sigma = std::log(std::max(overall.sigma, least)),
                       .log_spacing = std::log(std::max(overall.spacing, least))};
   std::vector<Group> groups(patches.sample().size(), unknown);

@@ -45,12 +45,15 @@ NoiseEstimate NoiseSurvey::overall(const Execution& execution) {
   do {
     add_size(execution);
   } while (sizes_.back().resolution() < 1 && patches_.has_size(patches_.sizes()));
-  SizeEstimate best = sizes_.back();
-  if (best.resolution() >= 1) {
+  // Where no size is large enough, the one that comes nearest to it.
+  SizeEstimate best = *std::ranges::max_element(sizes_, {}, &SizeEstimate::resolution);
+  if (sizes_.back().resolution() >= 1) {
+    best = sizes_.back();
     const std::size_t resolved = sizes_.size();
     if (resolved > 1) best = between(sizes_[resolved - 2], best);
     const SizeEstimate smallest = sizes_.back();
-    while (patches_.count(patches_.sizes()) <= most_to_grow && patches_.has_size(patches_.sizes())) {
+    while (patches_.count(patches_.sizes()) <= most_to_grow &&
+           patches_.has_size(patches_.sizes())) {
       add_size(execution);
       if (!continues(smallest, sizes_.back())) break;
       best.sigma = sizes_.back().sigma;

@@ -15,6 +15,8 @@ namespace {
 
 /// Heights beyond this many standard deviations are far off: 1 % of normal ones.
 constexpr double far = 2.5;
+/// And this part of a patch's reach: what rounding leaves of no noise at all has no tails.
+constexpr double least = 0.01;
 /// Share of points far off, on either side, that is no longer normal noise.
 constexpr double heavy = 0.065;
 
@@ -35,9 +37,10 @@ Column look(PatchFitter& fitter, Vec3 place, std::size_t count, std::size_t wide
   column.variance = patch.variance;
   double above = 0;
   double below = 0;
+  const double bound = std::max(far * sigma, least * patch.reach);
   for (const double h : fitter.heights(wide)) {
-    if (h > far * sigma) ++above;
-    if (h < -far * sigma) ++below;
+    if (h > bound) ++above;
+    if (h < -bound) ++below;
     column.square += h * h;
     column.fourth += h * h * h * h;
     ++column.count;
@@ -76,8 +79,8 @@ double with_tails(Points points, const KdTree& tree, std::span<const Vec3> place
   constexpr std::size_t most_wide = 4096;
   constexpr std::size_t fewest_clouds = 12;
   double whole = sigma;
-  for (std::size_t wide = 8 * count;
-       wide <= most_wide && wide <= points.size() / fewest_clouds; wide *= 4) {
+  for (std::size_t wide = 8 * count; wide <= most_wide && wide <= points.size() / fewest_clouds;
+       wide *= 4) {
     std::vector<Column> columns(places.size());
     constexpr std::size_t block = 16;
     parallel_blocks<block>(places.size(), execution, [&](std::size_t begin, std::size_t end) {

@@ -20,8 +20,8 @@ constexpr std::size_t most_points = 8192;
 constexpr std::size_t fewest_patches = 6;
 /// Points in all patches of a size; there are fewer patches where they are large, and each of them
 /// tells more. But never fewer than this, so that some lie clear of edges.
-constexpr std::size_t work = std::size_t{1} << 19;
-constexpr std::size_t fewest_places = 512;
+constexpr std::size_t work = std::size_t{1} << 17;
+constexpr std::size_t fewest_places = 128;
 
 /// The place in the middle of some points.
 Vec3 middle_point(Points points, std::span<const std::uint32_t> some) {
@@ -72,7 +72,8 @@ std::size_t PatchSurvey::count(std::size_t size) const {
 }
 
 bool PatchSurvey::has_size(std::size_t size) const {
-  return size == 0 || (count(size) <= most_points && count(size) <= points_.size() / fewest_patches);
+  return size == 0 ||
+         (count(size) <= most_points && count(size) <= points_.size() / fewest_patches);
 }
 
 std::size_t PatchSurvey::stride(std::size_t size) const {

@@ -12,8 +12,8 @@ namespace deburr {
 /// The value below which a share `q` in [0, 1] of the values lies; 0 without values.
 inline double quantile(std::vector<double> values, double q) {
   if (values.empty()) return 0;
-  const auto at = values.begin() +
-                  static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
   std::ranges::nth_element(values, at);
   return *at;
 }

@@ -36,8 +36,8 @@ double whole_variance(double variance, double bound) {
 /// The frame at the foot of `place` on a quadric over `frame`, along the normal there.
 Frame foot(const Frame& frame, const Quadric& surface, const Vec3& place) {
   const Vec3 at = frame.local(place);
-  const Vec3 normal = frame.w - surface.slope_x(at.x, at.y) * frame.u -
-                      surface.slope_y(at.x, at.y) * frame.v;
+  const Vec3 normal =
+      frame.w - surface.slope_x(at.x, at.y) * frame.u - surface.slope_y(at.x, at.y) * frame.v;
   const Vec3 origin = place + (surface.height(at.x, at.y) - at.z) * frame.w;
   return frame_along(origin, (1 / norm(normal)) * normal);
 }
@@ -53,8 +53,8 @@ void PatchFitter::find(const Vec3& place, std::size_t count) {
   std::size_t kept = 0;
   for (const Found& f : found_) {
     const Vec3& p = points_[f.index];
-    if (kept > 0 && squared_norm(p - points_[found_[kept - 1].index]) <=
-                        same * same * reach_ * reach_) {
+    if (kept > 0 &&
+        squared_norm(p - points_[found_[kept - 1].index]) <= same * same * reach_ * reach_) {
       continue;
     }
     found_[kept++] = f;

@@ -17,7 +17,8 @@ struct NoiseEstimate {
 };
 
 /// Estimates the noise from the points alone: the variance about quadrics that are fitted to
-/// patches of the smallest size that resolves it, over up to 4,096 places. See docs/method/noise.md.
+/// patches of the smallest size that resolves it, over up to 4,096 places. See
+/// docs/method/noise.md.
 ///
 /// Points that are not finite do not count, and of those at the same place one does; which order
 /// they come in does not matter. All three are 0 when fewer than 16 points are left. Where no patch
