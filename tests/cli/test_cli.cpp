@@ -229,6 +229,8 @@ TEST_F(CliTest, InfoTellsWhatTheReportOfDenoiseTells) {
   EXPECT_EQ(info["comments"], 1);
   EXPECT_NEAR(info["spacing"], expected.spacing, 1e-9 * expected.spacing);
   EXPECT_NEAR(info["noise"], expected.noise, 1e-6 * expected.noise);
+  EXPECT_DOUBLE_EQ(info["noise_in_spacings"].get<double>(),
+                   info["noise"].get<double>() / info["spacing"].get<double>());
   EXPECT_EQ(info["fields"].back(), json({{"name", "red"}, {"type", "uint8"}, {"list", false}}));
   double lowest = HUGE_VAL;
   for (const Vec3& p : cloud.points) lowest = is_finite(p) ? std::min(lowest, p.x) : lowest;
