@@ -38,7 +38,7 @@ struct LocalNoise {
 
 /// Estimates noise and spacing at each point, for clouds in which they differ from place to place,
 /// as where noise grows with the distance from the scanner. They vary smoothly, over about a
-/// hundredth of the surface or ten patches, whatever is more. Differences of less than a third are
+/// hundredth of the surface or ten patches, whatever is more. Differences of less than a fifth are
 /// not believed. A point that is not finite has the overall values.
 [[nodiscard]] LocalNoise estimate_local_noise(Points points, const Execution& execution = {});
 
