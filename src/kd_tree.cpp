@@ -12,6 +12,10 @@ namespace deburr {
 namespace {
 
 constexpr std::uint32_t leaf_size = 12;
+
+/// Nearest points so few are kept in order as they come, which is faster than a heap.
+constexpr std::size_t longest_list = 64;
+
 constexpr std::uint32_t any_index = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
@@ -78,15 +82,26 @@ void KdTree::search(std::uint32_t node, const Vec3& at, const Found& limit,
   descend(left_first ? n.right : left, left_first ? to_right : to_left);
 }
 
-void KdTree::nearest(std::uint32_t query, std::size_t count, double squared_radius,
-                     std::vector<Found>& found) const {
+void KdTree::nearest_but(const Vec3& at, std::size_t count, double squared_radius,
+                         std::uint32_t but, std::vector<Found>& found) const {
   found.clear();
   if (count == 0 || nodes_.empty()) return;
-  // A max-heap of the best so far, with the worst in front.
+  // A list in order while it is short, else a max-heap with the worst in front.
+  const bool sorted = count <= longest_list;
   Found limit{squared_radius, any_index};
-  search(0, points_[query], limit, [&](const Found& f) {
-    if (f.index == query || limit < f) return;
-    if (found.size() == count) {
+  search(0, at, limit, [&](const Found& f) {
+    if (f.index == but || limit < f) return;
+    const bool full = found.size() == count;
+    if (sorted) {
+      if (full) found.pop_back();
+      std::size_t to = found.size();
+      found.push_back(f);
+      for (; to > 0 && f < found[to - 1]; --to) found[to] = found[to - 1];
+      found[to] = f;
+      if (found.size() == count) limit = found.back();
+      return;
+    }
+    if (full) {
       std::pop_heap(found.begin(), found.end());
       found.pop_back();
     }
@@ -94,7 +109,17 @@ void KdTree::nearest(std::uint32_t query, std::size_t count, double squared_radi
     std::push_heap(found.begin(), found.end());
     if (found.size() == count) limit = found.front();
   });
-  std::sort_heap(found.begin(), found.end());
+  if (!sorted) std::sort_heap(found.begin(), found.end());
+}
+
+void KdTree::nearest(std::uint32_t query, std::size_t count, double squared_radius,
+                     std::vector<Found>& found) const {
+  nearest_but(points_[query], count, squared_radius, query, found);
+}
+
+void KdTree::nearest_to(const Vec3& at, std::size_t count, std::uint32_t but,
+                        std::vector<Found>& found) const {
+  nearest_but(at, count, std::numeric_limits<double>::infinity(), but, found);
 }
 
 void KdTree::within(std::uint32_t query, double squared_radius, std::vector<Found>& found) const {

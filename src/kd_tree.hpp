@@ -33,6 +33,11 @@ class KdTree {
   void nearest(std::uint32_t query, std::size_t count, double squared_radius,
                std::vector<Found>& found) const;
 
+  /// The `count` points nearest to any place, likewise; point `but`, if there is such a point,
+  /// is left out.
+  void nearest_to(const Vec3& at, std::size_t count, std::uint32_t but,
+                  std::vector<Found>& found) const;
+
   /// All other points of point `query` no farther than sqrt(squared_radius), likewise.
   void within(std::uint32_t query, double squared_radius, std::vector<Found>& found) const;
 
@@ -52,6 +57,8 @@ class KdTree {
   };
 
   void build(std::uint32_t begin, std::uint32_t end, const Execution& execution);
+  void nearest_but(const Vec3& at, std::size_t count, double squared_radius, std::uint32_t but,
+                   std::vector<Found>& found) const;
   template <typename Visit>
   void search(std::uint32_t node, const Vec3& at, const Found& limit, const Visit& visit) const;
 
