@@ -99,7 +99,8 @@ std::vector<Standing> join_points(Points points, const KdTree& tree, std::size_t
   }
   std::erase_if(groups, [](const auto& group) { return !is_flat(group.second); });
   for (std::uint32_t i = 0; i < n; ++i) {
-    if (standing[i] == Standing::Loose && groups.contains(sets.find(i))) standing[i] = Standing::Patch;
+    if (standing[i] == Standing::Loose && groups.contains(sets.find(i)))
+      standing[i] = Standing::Patch;
   }
   return standing;
 }

@@ -66,10 +66,13 @@ double spread(std::span<double> distances) {
 
 Knots::Knots(Points points, const KdTree& tree, const Execution& execution)
     : points_(points), tree_(tree), count_(trial_knots) {
-  Trial trial = try_out(execution);
+  // How many trials it takes is not known, so that they tell no progress.
+  Execution quiet = execution;
+  quiet.progress = nullptr;
+  Trial trial = try_out(quiet);
   while (trial.radius < least_radius * trial.noise && points_.size() / group_ > fewest_thinned) {
     thin(4 * group_);
-    trial = try_out(execution);
+    trial = try_out(quiet);
   }
   // The number of points within a radius grows with its square.
   const auto per_knot = [&] {
@@ -98,7 +101,7 @@ void Knots::thin(std::size_t group) {
     const auto members = order.subspan(begins[g], begins[g + 1] - begins[g]);
     thinned_.push_back(points_[middle_point(points_, members)]);
   }
-  thinned_tree_.emplace(thinned_);
+  thinned_tree_ = std::make_unique<KdTree>(thinned_);
 }
 
 Patch Knots::patch_at(const Vec3& at, std::uint32_t but, std::vector<Vec3>& near) const {

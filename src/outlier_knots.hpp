@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -49,7 +49,7 @@ class Knots {
   std::size_t group_ = 1;
   std::size_t count_ = 0;
   std::vector<Vec3> thinned_;  ///< empty for a group of 1
-  std::optional<KdTree> thinned_tree_;
+  std::unique_ptr<KdTree> thinned_tree_;
 };
 
 /// Begins of the ranges that halving [0, n) gives until none is larger than `most`: those of the

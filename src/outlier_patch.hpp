@@ -11,12 +11,12 @@ namespace deburr {
 
 /// A piece of surface: a height above a plane that is quadratic in the place on it.
 struct Patch {
-  Vec3 center;                    ///< origin of u, v and the height
-  Vec3 u, v, normal;              ///< orthonormal
+  Vec3 center;                     ///< origin of u, v and the height
+  Vec3 u, v, normal;               ///< orthonormal
   std::array<double, 6> height{};  ///< of 1, u, v, u^2, u v, v^2, with lengths over radius
-  double radius = 0;              ///< distance of the farthest point fitted, > 0
-  double spread = 0;              ///< of the points around the patch, as a standard deviation
-  double flatness = 0;            ///< thickness over width of the points fitted: about 1 for a ball
+  double radius = 0;               ///< distance of the farthest point fitted, > 0
+  double spread = 0;               ///< of the points around the patch, as a standard deviation
+  double flatness = 0;  ///< thickness over width of the points fitted: about 1 for a ball
 };
 
 /// Where a point is beside a patch.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-
 #include <limits>
 #include <numbers>
 
@@ -52,8 +51,8 @@ bool is_past_the_end(const Patch& patch, const Vec3& foot, std::span<const Vec3>
 }  // namespace
 
 RoughSurface::RoughSurface(Points points, const KdTree& tree, const Execution& execution)
-    : points_(points), tree_(tree), knots_(points, tree, sub_execution(execution, "", 0, 0.1)) {
-  fit_cells(sub_execution(execution, "", 0.1, 0.9));
+    : points_(points), tree_(tree), knots_(points, tree, execution) {
+  fit_cells(sub_execution(execution, "", 0, 0.9));
   smooth_noise(sub_execution(execution, "", 0.9, 1));
 }
 
@@ -78,7 +77,7 @@ void RoughSurface::fit_cells(const Execution& execution) {
     cell.noise = spread(distances);
     centers_[c] = foot_on(cell.patch, middle).at;
   });
-  center_tree_.emplace(centers_, execution);
+  center_tree_ = std::make_unique<KdTree>(centers_, execution);
 }
 
 /// The median over each cell and those around it, which a few odd cells do not sway.

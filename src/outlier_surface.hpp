@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -44,7 +44,7 @@ class RoughSurface {
   Knots knots_;
   std::vector<std::uint32_t> cell_;  ///< of each point
   std::vector<Cell> cells_;
-  std::optional<KdTree> center_tree_;
+  std::unique_ptr<KdTree> center_tree_;
   std::vector<Vec3> centers_;
 };
 

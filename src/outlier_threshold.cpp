@@ -12,7 +12,7 @@ namespace deburr {
 namespace {
 
 /// Share of surface points among the flagged ones that is aimed for.
-constexpr double false_share = 0.03;
+constexpr double false_share = 0.04;
 
 /// Between these scores only outliers are left, as dense as between the points of the surface.
 constexpr double outside_from = 5;
@@ -23,7 +23,7 @@ struct Quantile {
   double share;
   double score;
 };
-constexpr Quantile quantiles[] = {{0.9, 1.6449}, {0.95, 1.96}, {0.98, 2.3263}};
+constexpr Quantile quantiles[] = {{0.9, 1.6449}, {0.95, 1.96}, {0.98, 2.3263}, {0.99, 2.5758}};
 
 constexpr double largest_factor = 2;
 

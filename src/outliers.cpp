@@ -53,7 +53,8 @@ Places distinct_places(Points points, const Execution& execution) {
   };
   places.to.resize(finite.size());
   Vec3 last;
-  for (const std::uint32_t i : spatial_order(finite, execution)) {
+  for (const std::uint32_t i :
+       spatial_order(finite, sub_execution(execution, "outliers", 0, 0.05))) {
     const Vec3& p = finite[i];
     if (places.points.empty() || p != last) {
       places.points.push_back(
@@ -70,7 +71,7 @@ std::vector<double> scores(Points points, const Execution& execution) {
   const KdTree tree(points, execution);
   const std::size_t small = std::min(most_floaters, points.size() / small_share);
   const std::vector<Standing> standing =
-      join_points(points, tree, small, sub_execution(execution, "outliers", 0, 0.5));
+      join_points(points, tree, small, sub_execution(execution, "outliers", 0.05, 0.5));
   std::vector<Vec3> support;
   std::vector<std::uint32_t> place(points.size(), no_point);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -83,8 +84,7 @@ std::vector<double> scores(Points points, const Execution& execution) {
 
   // A tree of its own: the boxes of the other are stretched by what is off the surface.
   const KdTree support_tree(support, execution);
-  const RoughSurface surface(support, support_tree,
-                             sub_execution(execution, "outliers", 0.5, 0.8));
+  const RoughSurface surface(support, support_tree, sub_execution(execution, "outliers", 0.5, 0.8));
   parallel_for(points.size(), sub_execution(execution, "outliers", 0.8, 1), [&](std::size_t i) {
     if (standing[i] == Standing::Patch) return;
     if (place[i] != no_point) scores[i] = surface.rough_score(place[i]);
@@ -98,8 +98,8 @@ std::vector<double> scores(Points points, const Execution& execution) {
 
 std::vector<std::uint8_t> find_outliers(Points points, const OutlierOptions& options,
                                         const Execution& execution) {
-  require(options.tolerance >= 0.1 && options.tolerance <= 10, "outliers.tolerance",
-          "in [0.1, 10]", options.tolerance);
+  require(options.tolerance >= 0.1 && options.tolerance <= 10, "outliers.tolerance", "in [0.1, 10]",
+          options.tolerance);
   require(points.size() < no_point, "points", "fewer than 2^32 - 1", points.size());
   std::vector<std::uint8_t> outlier(points.size());
   const Places places = distinct_places(points, execution);
