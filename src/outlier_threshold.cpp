@@ -12,7 +12,7 @@ namespace deburr {
 namespace {
 
 /// Share of surface points among the flagged ones that is aimed for.
-constexpr double false_share = 0.04;
+constexpr double false_share = 0.035;
 
 /// Between these scores only outliers are left, as dense as between the points of the surface.
 constexpr double outside_from = 5;

@@ -66,7 +66,7 @@ TEST(Threshold, ComesDownWhereOutliersAreMany) {
   for (int i = 0; i < 20000; ++i) scores.push_back(std::abs(random.gaussian()));
   for (int i = 0; i < 1400; ++i) scores.push_back(100 * random.uniform());
   scores.push_back(std::numeric_limits<double>::infinity());
-  // 20000 erfc(3 / sqrt 2) = 54 points by chance, 4 % of 1400 = 56 allowed.
+  // 20000 erfc(3.05 / sqrt 2) = 46 points by chance, 3.5 % of 1400 = 49 allowed.
   EXPECT_NEAR(score_threshold(scores), 3.1, 0.15);
 }
 
