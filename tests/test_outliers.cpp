@@ -94,7 +94,9 @@ TEST(FindOutliers, BearsUnevenDensity) {
 
 TEST(FindOutliers, FlagsWhatIsPastTheEndOfASheet) {
   std::vector<Vec3> points = random_square(cloud_size, 14);
-  for (int i = 0; i < 20; ++i) points.push_back({1.1 + 0.08 * i, 0.05 * i, 0});
+  // Four spacings past the end, seven from each other, then farther and farther.
+  for (int i = 0; i < 10; ++i) points.push_back({1.045, 0.1 + 0.08 * i, 0});
+  for (int i = 0; i < 10; ++i) points.push_back({1.2 + 0.1 * i, 0.1 * i, 0});
   const std::vector<std::uint8_t> flags = find_outliers(points);
   EXPECT_EQ(std::count(flags.begin(), flags.begin() + cloud_size, 1), 0);
   EXPECT_EQ(std::count(flags.begin() + cloud_size, flags.end(), 0), 0);
