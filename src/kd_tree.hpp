@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "box.hpp"
@@ -26,6 +27,9 @@ struct Found {
 /// order, is defined by (distance, index) alone.
 class KdTree {
  public:
+  /// No point has this index, since there are fewer than 2^32.
+  static constexpr std::uint32_t no_point = std::numeric_limits<std::uint32_t>::max();
+
   explicit KdTree(Points points, const Execution& execution = {});
 
   /// The `count` nearest other points of point `query` no farther than sqrt(squared_radius),
@@ -33,11 +37,19 @@ class KdTree {
   void nearest(std::uint32_t query, std::size_t count, double squared_radius,
                std::vector<Found>& found) const;
 
-  /// The `count` points nearest to a finite place, which need not be a point, likewise.
-  void nearest(const Vec3& at, std::size_t count, std::vector<Found>& found) const;
-
   /// All other points of point `query` no farther than sqrt(squared_radius), likewise.
   void within(std::uint32_t query, double squared_radius, std::vector<Found>& found) const;
+
+  /// The `count` points nearest to a finite place no farther than sqrt(squared_radius), likewise;
+  /// point `excluded`, if there is such a point, is left out.
+  void nearest_to(const Vec3& at, std::size_t count, double squared_radius,
+                  std::vector<Found>& found, std::uint32_t excluded = no_point) const;
+
+  /// The nearest point of a finite place. The tree must hold at least one point.
+  [[nodiscard]] Found nearest_to(const Vec3& at) const;
+
+  /// All points of a finite place no farther than sqrt(squared_radius), likewise.
+  void within_of(const Vec3& at, double squared_radius, std::vector<Found>& found) const;
 
   /// Number of points that within() finds; does not visit points of boxes wholly inside.
   [[nodiscard]] std::size_t count_within(std::uint32_t query, double squared_radius) const;
@@ -55,8 +67,11 @@ class KdTree {
   };
 
   void build(std::uint32_t begin, std::uint32_t end, const Execution& execution);
-  void nearest(const Vec3& at, std::uint32_t but, std::size_t count, double squared_radius,
+  /// `excluded` is the index of a point that is not to be found.
+  void nearest(const Vec3& at, std::uint32_t excluded, std::size_t count, double squared_radius,
                std::vector<Found>& found) const;
+  void within(const Vec3& at, std::uint32_t excluded, double squared_radius,
+              std::vector<Found>& found) const;
   template <typename Visit>
   void search(std::uint32_t node, const Vec3& at, const Found& limit, const Visit& visit) const;
 

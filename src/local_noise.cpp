@@ -65,7 +65,8 @@ void add_size(const PatchSurvey& survey, std::size_t size, const NoiseEstimate& 
     for (std::size_t i = begin; i < end; ++i) {
       Group& group = groups[i];
       if (group.resolved) continue;
-      tree.nearest(survey.sample()[i], group_size, found);
+      tree.nearest_to(survey.sample()[i], group_size, std::numeric_limits<double>::infinity(),
+                      found);
       near.clear();
       for (const Found& f : found) near.push_back(patches[f.index]);
       const SizeEstimate now = combine(near, survey.count(size), flattest_of_few);
@@ -106,7 +107,7 @@ std::vector<Group> smoothed(const std::vector<Group>& groups, const std::vector<
   std::vector<Group> smooth(groups.size());
   parallel_for(groups.size(), execution, [&](std::size_t i) {
     std::vector<Found> found;
-    tree.nearest(places[i], smooth_size, found);
+    tree.nearest_to(places[i], smooth_size, std::numeric_limits<double>::infinity(), found);
     const double share = 1 / static_cast<double>(found.size());
     for (const Found& f : found) {
       smooth[i].log_sigma += share * groups[f.index].log_sigma;
@@ -155,7 +156,7 @@ LocalNoise estimate_local_noise(Points points, const Execution& execution) {
   std::vector<Group> at(set.points.size());
   parallel_for(at.size(), sub_execution(execution, "noise", 0.6, 1), [&](std::size_t i) {
     thread_local std::vector<Found> found;
-    tree.nearest(set.points[i], interpolated, found);
+    tree.nearest_to(set.points[i], interpolated, std::numeric_limits<double>::infinity(), found);
     at[i] = interpolate(groups, found);
   });
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -45,7 +45,7 @@ Frame foot(const Frame& frame, const Quadric& surface, const Vec3& place) {
 }  // namespace
 
 void PatchFitter::find(const Vec3& place, std::size_t count) {
-  tree_.nearest(place, count, found_);
+  tree_.nearest_to(place, count, std::numeric_limits<double>::infinity(), found_);
   reach_ = found_.empty() ? 0 : std::sqrt(found_.back().squared_distance);
   // A point that was stored twice, rounded differently, has no noise of its own. Its double is as
   // far away, which puts it next to it.

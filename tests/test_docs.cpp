@@ -15,6 +15,7 @@
 #include "deburr/denoise.hpp"
 #include "deburr/normal_filter.hpp"
 #include "deburr/normals.hpp"
+#include "deburr/outliers.hpp"
 #include "deburr/position_update.hpp"
 
 // The pages say what the code does: defaults are those of the structs, links lead somewhere.
@@ -104,6 +105,8 @@ Defaults defaults() {
                       {{"rho", shown(features.rho)},
                        {"tau", shown(features.tau)},
                        {"eigen_tolerance", shown(features.eigen_tolerance)}});
+  const OutlierOptions outliers;
+  add<OutlierOptions>(all, "outliers", {{"tolerance", shown(outliers.tolerance)}});
   const PositionUpdateOptions update;
   add<PositionUpdateOptions>(all, "position_update",
                              {{"position_scale", shown(update.position_scale)},

@@ -14,6 +14,7 @@
 #include "deburr/normal_filter.hpp"
 #include "deburr/normals.hpp"
 #include "deburr/orientation.hpp"
+#include "deburr/outliers.hpp"
 #include "deburr/point_cloud.hpp"
 #include "deburr/position_update.hpp"
 #include "deburr/synth.hpp"

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include "outlier_knots.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "parallel.hpp"
+
+namespace deburr {
+namespace {
+
+/// Radius of a patch in standard deviations of the noise: wanted, and least to be believed.
+constexpr double wanted_radius = 4.5;
+constexpr double least_radius = 4;
+
+constexpr std::size_t trial_knots = 32;
+constexpr std::size_t trial_places = 512;
+constexpr std::size_t place_points = 4;  ///< whose distances from the patch are taken
+
+/// Knots in a patch: without noise, where the fewest follow the surface best, and with it.
+constexpr double fewest_exact = 20;
+constexpr double fewest = 36;
+constexpr double most = 48;
+
+/// Noise in spacings, roughly, that fewer knots suffice for.
+constexpr double little_noise = 0.14;
+
+/// A thinner copy than this says nothing.
+constexpr std::size_t fewest_thinned = 1000;
+
+}  // namespace
+
+std::vector<std::uint32_t> halves(std::size_t n, std::size_t most_in_one) {
+  std::vector<std::uint32_t> begins;
+  const auto split = [&](const auto& self, std::size_t begin, std::size_t end) -> void {
+    if (end - begin <= most_in_one) {
+      begins.push_back(static_cast<std::uint32_t>(begin));
+      return;
+    }
+    const std::size_t middle = begin + (end - begin) / 2;
+    self(self, begin, middle);
+    self(self, middle, end);
+  };
+  split(split, 0, n);
+  begins.push_back(static_cast<std::uint32_t>(n));
+  return begins;
+}
+
+std::uint32_t middle_point(Points points, std::span<const std::uint32_t> ids) {
+  const Vec3& origin = points[ids[0]];
+  Vec3 sum;
+  for (const std::uint32_t i : ids) sum += points[i] - origin;
+  const Vec3 mean = origin + (1 / static_cast<double>(ids.size())) * sum;
+  Found best{std::numeric_limits<double>::infinity(), no_point};
+  for (const std::uint32_t i : ids) best = std::min(best, Found{squared_norm(points[i] - mean), i});
+  return best.index;
+}
+
+double spread(std::span<double> distances) {
+  if (distances.empty()) return 0;
+  const auto at = distances.begin() + static_cast<std::ptrdiff_t>(4 * distances.size() / 5);
+  std::nth_element(distances.begin(), at, distances.end());
+  return *at / 1.2816;
+}
+
+Knots::Knots(Points points, const KdTree& tree, const Execution& execution)
+    : points_(points), tree_(tree), count_(trial_knots) {
+  // How many trials it takes is not known, so that they tell no progress.
+  Execution quiet = execution;
+  quiet.progress = nullptr;
+  Trial trial = try_out(quiet);
+  while (trial.radius < least_radius * trial.noise && points_.size() / group_ > fewest_thinned) {
+    thin(4 * group_);
+    trial = try_out(quiet);
+  }
+  // The number of points within a radius grows with its square.
+  const auto per_knot = [&] {
+    return static_cast<double>(points_.size()) /
+           static_cast<double>(group_ == 1 ? points_.size() : thinned_.size());
+  };
+  const double ratio = wanted_radius * trial.noise / trial.radius;
+  const double points_wanted = ratio * ratio * static_cast<double>(trial_knots) * per_knot();
+  std::size_t group = 1;
+  while (points_wanted > most * static_cast<double>(group)) group *= 2;
+  if (group != group_) thin(group);
+  const double little = wanted_radius * little_noise;
+  const double least = points_wanted < 3.14 * little * little ? fewest_exact : fewest;
+  count_ = static_cast<std::size_t>(std::clamp(points_wanted / per_knot(), least, most));
+}
+
+/// Keeps of each group of points the one nearest to their mean.
+void Knots::thin(std::size_t group) {
+  group_ = group;
+  thinned_.clear();
+  thinned_tree_.reset();
+  if (group == 1) return;
+  const std::span<const std::uint32_t> order = tree_.order();
+  const std::vector<std::uint32_t> begins = halves(order.size(), group);
+  for (std::size_t g = 0; g + 1 < begins.size(); ++g) {
+    const auto members = order.subspan(begins[g], begins[g + 1] - begins[g]);
+    thinned_.push_back(points_[middle_point(points_, members)]);
+  }
+  thinned_tree_ = std::make_unique<KdTree>(thinned_);
+}
+
+Patch Knots::patch_at(const Vec3& at, std::uint32_t but, std::vector<Vec3>& near) const {
+  thread_local std::vector<Found> found;
+  near.clear();
+  if (group_ == 1) {
+    tree_.nearest_to(at, count_, std::numeric_limits<double>::infinity(), found, but);
+    for (const Found& f : found) near.push_back(points_[f.index]);
+  } else {
+    thinned_tree_->nearest_to(at, count_ + 1, std::numeric_limits<double>::infinity(), found);
+    for (const Found& f : found) {
+      if (but != no_point && thinned_[f.index] == points_[but]) continue;
+      near.push_back(thinned_[f.index]);
+    }
+    if (near.size() > count_) near.pop_back();
+  }
+  return fit_patch(near, at);
+}
+
+Knots::Trial Knots::try_out(const Execution& execution) const {
+  const std::span<const std::uint32_t> order = tree_.order();
+  const std::vector<std::uint32_t> begins =
+      halves(order.size(), std::max(order.size() / trial_places, 3 * place_points));
+  const std::size_t places = begins.size() - 1;
+  std::vector<double> radii(places);
+  std::vector<double> distances(place_points * places);
+  parallel_for(places, execution, [&](std::size_t s) {
+    // The first points of a range are of one leaf, and near to each other.
+    const auto first = order.subspan(begins[s], place_points);
+    const Vec3& middle = points_[middle_point(points_, first)];
+    thread_local std::vector<Vec3> near;
+    const Patch rough = patch_at(middle, no_point, near);
+    const Patch patch = patch_at(foot_on(rough, middle).at, no_point, near);
+    radii[s] = patch.radius;
+    for (std::size_t k = 0; k < place_points; ++k) {
+      distances[place_points * s + k] = foot_on(patch, points_[first[k]]).distance;
+    }
+  });
+  Trial trial;
+  trial.noise = spread(distances);
+  const auto half = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), half, radii.end());
+  trial.radius = *half;
+  return trial;
+}
+
+}  // namespace deburr

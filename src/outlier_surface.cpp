@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include "outlier_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "parallel.hpp"
+
+namespace deburr {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Knots in a cell, at most.
+constexpr std::size_t cell_knots = 10;
+
+/// Cells around one whose noise has a say in its.
+constexpr std::size_t cells_around = 8;
+
+/// Least noise, in radii of a patch: patches follow edges no better than that.
+constexpr double least_noise = 0.08;
+
+/// Cell centres are no farther than about one radius from any surface: beyond three there is none.
+constexpr double far_in_radii = 3;
+
+/// Whether the knots around a foot lie all to one side of it and apart, in the plane of the patch:
+/// then it is past the end of an open surface.
+bool is_past_the_end(const Patch& patch, const Vec3& foot, std::span<const Vec3> knots) {
+  Vec3 sum;
+  double nearest = infinity;
+  double farthest = 0;
+  for (const Vec3& knot : knots) {
+    const double u = dot(knot - foot, patch.u);
+    const double v = dot(knot - foot, patch.v);
+    nearest = std::min(nearest, u * u + v * v);
+    farthest = std::max(farthest, u * u + v * v);
+    sum += Vec3{u, v, 0};
+  }
+  const double count = static_cast<double>(knots.size());
+  // Knots that fill a disc have the spacing sqrt(pi / count) radii.
+  const double spacing = std::numbers::pi / count * patch.radius * patch.radius;
+  constexpr double apart = 2.5;
+  constexpr double aside = 0.5;
+  return nearest > apart * apart * spacing &&
+         squared_norm((1 / count) * sum) > aside * aside * farthest;
+}
+
+}  // namespace
+
+RoughSurface::RoughSurface(Points points, const KdTree& tree, const Execution& execution)
+    : points_(points), tree_(tree), knots_(points, tree, execution) {
+  fit_cells(sub_execution(execution, "", 0, 0.9));
+  smooth_noise(sub_execution(execution, "", 0.9, 1));
+}
+
+void RoughSurface::fit_cells(const Execution& execution) {
+  const std::span<const std::uint32_t> order = tree_.order();
+  const std::vector<std::uint32_t> begins = halves(order.size(), cell_knots * knots_.group());
+  cells_.resize(begins.size() - 1);
+  centers_.resize(cells_.size());
+  cell_.resize(points_.size());
+  parallel_for(cells_.size(), execution, [&](std::size_t c) {
+    Cell& cell = cells_[c];
+    const auto members = order.subspan(begins[c], begins[c + 1] - begins[c]);
+    const Vec3& middle = points_[middle_point(points_, members)];
+    thread_local std::vector<Vec3> near;
+    thread_local std::vector<double> distances;
+    cell.patch = knots_.patch_at(middle, no_point, near);
+    distances.clear();
+    for (const std::uint32_t i : members) {
+      cell_[i] = static_cast<std::uint32_t>(c);
+      distances.push_back(foot_on(cell.patch, points_[i]).distance);
+    }
+    cell.noise = spread(distances);
+    centers_[c] = foot_on(cell.patch, middle).at;
+  });
+  center_tree_ = std::make_unique<KdTree>(centers_, execution);
+}
+
+/// The median over each cell and those around it, which a few odd cells do not sway.
+void RoughSurface::smooth_noise(const Execution& execution) {
+  std::vector<double> smooth(cells_.size());
+  parallel_for(cells_.size(), execution, [&](std::size_t c) {
+    thread_local std::vector<Found> found;
+    thread_local std::vector<double> near;
+    center_tree_->nearest(static_cast<std::uint32_t>(c), cells_around, infinity, found);
+    near.assign(1, cells_[c].noise);
+    for (const Found& f : found) near.push_back(cells_[f.index].noise);
+    const auto half = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
+    std::nth_element(near.begin(), half, near.end());
+    smooth[c] = *half;
+  });
+  for (std::size_t c = 0; c < cells_.size(); ++c) cells_[c].noise = smooth[c];
+}
+
+double RoughSurface::rough_score(std::uint32_t point) const {
+  const Cell& cell = cells_[cell_[point]];
+  const Foot foot = foot_on(cell.patch, points_[point]);
+  if (foot.aside > cell.patch.radius) return infinity;
+  return foot.distance / std::max(cell.noise, least_noise * cell.patch.radius);
+}
+
+double RoughSurface::fine_score(const Vec3& at, std::uint32_t self) const {
+  thread_local std::vector<Found> found;
+  thread_local std::vector<Vec3> near;
+  center_tree_->nearest_to(at, 1, infinity, found);
+  const std::uint32_t nearest = found[0].index;
+  const Cell& cell = cells_[nearest];
+  const double far = far_in_radii * cell.patch.radius;
+  if (found[0].squared_distance > far * far) return infinity;
+  const Foot rough = foot_on(cell.patch, at);
+  // Far outside a patch its curvature means nothing.
+  const Vec3 around = rough.aside <= cell.patch.radius ? rough.at : centers_[nearest];
+  const Patch patch = knots_.patch_at(around, self, near);
+  const Foot foot = foot_on(patch, at);
+  if (is_past_the_end(patch, foot.at, near)) return infinity;
+  return foot.distance / std::max({cell.noise, least_noise * patch.radius, patch.spread});
+}
+
+}  // namespace deburr
