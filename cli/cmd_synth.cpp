@@ -37,9 +37,8 @@ constexpr Choice<NoiseKind> noise_kinds[] = {{"isotropic", NoiseKind::Isotropic}
                                              {"normal", NoiseKind::Normal},
                                              {"impulsive", NoiseKind::Impulsive},
                                              {"ray", NoiseKind::Ray}};
-constexpr Choice<Sampling> samplings[] = {{"uniform", Sampling::Uniform},
-                                          {"poisson", Sampling::Poisson},
-                                          {"scanner", Sampling::Scanner}};
+constexpr Choice<Sampling> samplings[] = {
+    {"uniform", Sampling::Uniform}, {"poisson", Sampling::Poisson}, {"scanner", Sampling::Scanner}};
 
 struct SynthArgs {
   CommonArgs common;
@@ -70,8 +69,8 @@ void check_arguments(const SynthArgs& args) {
   // A word that cannot be meant as a file gets the list of words, not a complaint about a file.
   if (shape == nullptr && !std::filesystem::exists(path) && !path.has_extension() &&
       !path.has_parent_path()) {
-    throw std::invalid_argument(fmt::format("SHAPE_OR_MESH {}: neither a file nor one of {}",
-                                            args.surface, shape_words()));
+    throw std::invalid_argument(
+        fmt::format("SHAPE_OR_MESH {}: neither a file nor one of {}", args.surface, shape_words()));
   }
   if (args.thickness->count() > 0 && (shape == nullptr || shape->value != Shape::ThinPlate)) {
     throw std::invalid_argument("--thickness belongs to thin-plate");
@@ -198,8 +197,9 @@ void add_synth_command(CLI::App& program) {
             "Outliers to add in small dense clusters, likewise");
   add_choice(*command, "--sampling", options.sampling, samplings, "Where points are taken");
   add_value(*command, "--seed", options.seed, "The same seed gives the same points");
-  args->thickness = add_value(*command, "--thickness", options.shape.thickness,
-                              "Distance of the sheets of thin-plate, as a fraction of the diagonal");
+  args->thickness =
+      add_value(*command, "--thickness", options.shape.thickness,
+                "Distance of the sheets of thin-plate, as a fraction of the diagonal");
   command->add_option("--truth", args->truth, "Write the true surface to this PLY file")
       ->option_text("MESH");
   command

@@ -74,8 +74,8 @@ TriangleMesh sphere_mesh() {
   for (int level = 0; level < sphere_levels; ++level) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [found, is_new] = middles.emplace(
-          std::minmax(a, b), static_cast<std::uint32_t>(mesh.vertices.size()));
+      const auto [found, is_new] =
+          middles.emplace(std::minmax(a, b), static_cast<std::uint32_t>(mesh.vertices.size()));
       if (is_new) {
         mesh.vertices.push_back(on_unit_sphere(mesh.vertices[a] + mesh.vertices[b]));
       }

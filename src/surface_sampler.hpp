@@ -22,7 +22,8 @@ struct SurfacePoint {
 /// triangle.
 class SurfaceSampler {
  public:
-  /// @param mesh     has at least one triangle, whose corners are finite vertices; must outlive this
+  /// @param mesh     has at least one triangle, whose corners are finite vertices; must outlive
+  /// this
   /// @param density  of points per area, one for each triangle, only relative; empty where uniform
   explicit SurfaceSampler(const TriangleMesh& mesh, std::span<const double> density = {});
 

@@ -28,13 +28,13 @@ constexpr double clear_sigmas = 5;
 
 void check(const SynthOptions& options) {
   require(options.points >= 1, "synth.points", ">= 1", options.points);
-  require(options.points <= std::size_t{1} << 31, "synth.points", "<= 2^31", options.points);
+  require(options.points <= std::size_t{1} << 28, "synth.points", "<= 2^28", options.points);
   require(std::isfinite(options.noise) && options.noise >= 0, "synth.noise", "finite and >= 0",
           options.noise);
   require(options.outliers >= 0 && options.outliers <= 1, "synth.outliers", "in [0, 1]",
           options.outliers);
-  require(options.cluster_outliers >= 0 && options.cluster_outliers <= 1,
-          "synth.cluster_outliers", "in [0, 1]", options.cluster_outliers);
+  require(options.cluster_outliers >= 0 && options.cluster_outliers <= 1, "synth.cluster_outliers",
+          "in [0, 1]", options.cluster_outliers);
 }
 
 /// The displacement of a point whose three normal numbers are `g`.
@@ -82,27 +82,48 @@ void shuffle(SyntheticScan& scan, Random& random) {
   }
 }
 
-SyntheticScan scan_of(SampledShape shape, const SynthOptions& options, const Execution&) {
+/// Places on the surface, and three normal numbers for each. These are drawn at any noise of any
+/// kind, so that a seed stands for the same places.
+struct Draws {
+  std::vector<Site> sites;
+  std::vector<Vec3> gaussians;
+};
+
+Draws draw(const SampledShape& shape, const SurfaceSampler& sampler, const SynthOptions& options,
+           Random& random, const Execution& execution) {
+  Draws draws;
+  switch (options.sampling) {
+    case Sampling::Uniform:
+      for (std::size_t i = 0; i < options.points; ++i) {
+        draws.sites.push_back({sampler.place(random), 0});
+        draws.gaussians.push_back(draw_gaussians(random));
+      }
+      return draws;
+    case Sampling::Poisson:
+      draws.sites = poisson_sites(shape, sampler, options.points, random, execution);
+      break;
+    case Sampling::Scanner:
+      draws.sites = scanner_sites(shape.mesh, options.points, random, execution);
+      break;
+  }
+  for (std::size_t i = 0; i < draws.sites.size(); ++i) {
+    draws.gaussians.push_back(draw_gaussians(random));
+  }
+  return draws;
+}
+
+SyntheticScan scan_of(SampledShape shape, const SynthOptions& options, const Execution& execution) {
   SyntheticScan scan;
-  scan.truth = std::move(shape.mesh);
-  const Box box = bounding_box(scan.truth);
-  const SurfaceSampler sampler(scan.truth, shape.density);
+  const Box box = bounding_box(shape.mesh);
+  const SurfaceSampler sampler(shape.mesh, shape.density);
   if (!(sampler.area() > 0 && std::isfinite(sampler.area()))) {
     throw DataError("the surface has no area, or none that is finite");
   }
   scan.spacing = std::sqrt(sampler.area() / static_cast<double>(options.points));
-  scan.sigma = options.noise * (options.noise_unit == NoiseUnit::Spacing
-                                    ? scan.spacing
-                                    : norm(box.high - box.low));
+  scan.sigma = options.noise *
+               (options.noise_unit == NoiseUnit::Spacing ? scan.spacing : norm(box.high - box.low));
   Random random(options.seed);
-  // Numbers for the noise are drawn at any noise of any kind, so that a seed stands for the same
-  // places.
-  std::vector<Site> sites(options.points);
-  std::vector<Vec3> gaussians(options.points);
-  for (std::size_t i = 0; i < options.points; ++i) {
-    sites[i].at = sampler.place(random);
-    gaussians[i] = draw_gaussians(random);
-  }
+  const auto [sites, gaussians] = draw(shape, sampler, options, random, execution);
   const auto scanners = scanner_positions(box);
   scan.cloud.points.resize(options.points);
   scan.clean.resize(options.points);
@@ -111,7 +132,7 @@ SyntheticScan scan_of(SampledShape shape, const SynthOptions& options, const Exe
   for (std::size_t i = 0; i < options.points; ++i) {
     const auto& [at, scanner] = sites[i];
     scan.clean[i] = at.position;
-    scan.normals[i] = triangle_normal(scan.truth, at.triangle);
+    scan.normals[i] = triangle_normal(shape.mesh, at.triangle);
     scan.cloud.points[i] =
         at.position + scan.sigma * displacement(options.noise_kind, gaussians[i], scan.normals[i],
                                                 at.position - scanners.at(scanner));
@@ -124,12 +145,13 @@ SyntheticScan scan_of(SampledShape shape, const SynthOptions& options, const Exe
     Random others(options.seed ^ 0x6f75746c69657273);
     const Box wide = outlier_box(box);
     add_outliers(scan, scattered_outliers(share(options.outliers), wide, others));
-    add_outliers(scan, clustered_outliers(share(options.cluster_outliers),
-                                          cluster_radius * scan.spacing,
-                                          clear_spacings * scan.spacing + clear_sigmas * scan.sigma,
-                                          scan.truth, wide, others));
+    add_outliers(scan,
+                 clustered_outliers(share(options.cluster_outliers), cluster_radius * scan.spacing,
+                                    clear_spacings * scan.spacing + clear_sigmas * scan.sigma,
+                                    shape.mesh, wide, others));
     shuffle(scan, others);
   }
+  scan.truth = std::move(shape.mesh);
   return scan;
 }
 
@@ -137,8 +159,6 @@ SyntheticScan scan_of(SampledShape shape, const SynthOptions& options, const Exe
 
 SyntheticScan synthesize(Shape shape, const SynthOptions& options, const Execution& execution) {
   check(options);
-  require(options.sampling == Sampling::Uniform, "synth.sampling", "Uniform for now",
-          static_cast<int>(options.sampling));
   return scan_of(sampled_shape(shape, options.shape), options, execution);
 }
 

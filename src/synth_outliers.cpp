@@ -42,8 +42,7 @@ Vec3 point_in_unit_ball(Random& random) {
 std::size_t cluster_size(std::size_t left, Random& random) {
   constexpr std::size_t choices = largest_cluster - smallest_cluster + 1;
   const auto size =
-      smallest_cluster +
-      static_cast<std::size_t>(random.uniform() * static_cast<double>(choices));
+      smallest_cluster + static_cast<std::size_t>(random.uniform() * static_cast<double>(choices));
   if (left >= size + smallest_cluster) return size;
   return left <= largest_cluster ? left : left - smallest_cluster;
 }
@@ -54,8 +53,8 @@ Box outlier_box(const Box& box) {
   const Vec3 centre = middle(box);
   const Vec3 half = half_extent(box);
   const double least = 0.1 * norm(half);
-  const Vec3 reach = 2 * Vec3{std::max(half.x, least), std::max(half.y, least),
-                              std::max(half.z, least)};
+  const Vec3 reach =
+      2 * Vec3{std::max(half.x, least), std::max(half.y, least), std::max(half.z, least)};
   return {centre - reach, centre + reach};
 }
 

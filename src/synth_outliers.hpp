@@ -12,8 +12,8 @@
 
 namespace deburr {
 
-/// Where outliers may lie: a box of twice the extent about the same centre. A flat box is first made
-/// a tenth of its diagonal thick, so that outliers of a plate are off the plate.
+/// Where outliers may lie: a box of twice the extent about the same centre. A flat box is first
+/// made a tenth of its diagonal thick, so that outliers of a plate are off the plate.
 [[nodiscard]] Box outlier_box(const Box& box);
 
 /// `count` points, uniform in a box.

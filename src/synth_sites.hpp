@@ -22,13 +22,25 @@ struct Site {
   std::uint32_t scanner = 0;  ///< which one sees it
 };
 
-/// Where the scanners stand: towards four corners of a cube that form a tetrahedron, one and a half
-/// diagonals from the middle of the box.
-[[nodiscard]] inline std::array<Vec3, 4> scanner_positions(const Box& box) {
-  const double away = 1.5 * norm(box.high - box.low) / std::sqrt(3.0);
-  const Vec3 centre = middle(box);
-  return {centre + away * Vec3{1, 1, 1}, centre + away * Vec3{-1, -1, 1},
-          centre + away * Vec3{1, -1, -1}, centre + away * Vec3{-1, 1, -1}};
-}
+/// Where the scanners stand: one and a half diagonals from the middle of the box, towards four
+/// corners of a cube that form a tetrahedron.
+[[nodiscard]] std::array<Vec3, 4> scanner_positions(const Box& box);
+
+/// `count` points that are random but keep apart: of `candidates_per_point` x `count` random ones,
+/// the most crowded one is taken out over and over. Candidates on faces that look in opposite
+/// directions, e.g. the two sides of a plate, do not crowd each other. Radii follow the density of
+/// the shape.
+/// Source: Yuksel, Sample elimination for generating Poisson disk sample sets, 2015.
+[[nodiscard]] std::vector<Site> poisson_sites(const SampledShape& shape,
+                                              const SurfaceSampler& sampler, std::size_t count,
+                                              Random& random, const Execution& execution);
+inline constexpr std::size_t candidates_per_point = 4;
+
+/// `count` points where rays from the scanners meet the surface first, scanner by scanner, line by
+/// line. The rays of each scanner differ by equal angles, in azimuth and in elevation. The angle is
+/// made smaller until enough rays meet the surface; a few that are too many are left out at random.
+/// @throws DataError  if hardly any ray meets the surface
+[[nodiscard]] std::vector<Site> scanner_sites(const TriangleMesh& mesh, std::size_t count,
+                                              Random& random, const Execution& execution);
 
 }  // namespace deburr

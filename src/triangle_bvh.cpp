@@ -30,7 +30,11 @@ TriangleBvh::TriangleBvh(const TriangleMesh& mesh) {
   nodes_.reserve(4 * (mesh.triangles.size() / leaf_size + 1));
   build(items, 0, count);
   triangles_.reserve(count);
-  for (const Item& item : items) triangles_.push_back(item.triangle);
+  indices_.reserve(count);
+  for (const Item& item : items) {
+    triangles_.push_back(item.triangle);
+    indices_.push_back(item.index);
+  }
 }
 
 void TriangleBvh::build(std::vector<Item>& items, std::uint32_t begin, std::uint32_t end) {

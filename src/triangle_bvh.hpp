@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "box.hpp"
@@ -11,6 +12,13 @@
 #include "triangle_distance.hpp"
 
 namespace deburr {
+
+/// Where a ray meets a triangle first.
+struct RayHit {
+  double distance = 0;         ///< along the ray, in lengths of its direction
+  std::uint32_t triangle = 0;  ///< of the mesh
+  Vec3 point;                  ///< of the triangle
+};
 
 /// A balanced tree of bounding boxes over the triangles of a mesh, to find the nearest one.
 class TriangleBvh {
@@ -21,6 +29,11 @@ class TriangleBvh {
   /// Squared distance from a finite point to the nearest triangle.
   [[nodiscard]] double squared_distance(const Vec3& p) const;
 
+  /// The first triangle ahead of `origin` that a ray meets, from either side; of several at the
+  /// same distance the first of the mesh. No ray passes between two triangles with a common edge.
+  /// @param direction  not 0
+  [[nodiscard]] std::optional<RayHit> first_hit(const Vec3& origin, const Vec3& direction) const;
+
  private:
   /// A node owns triangles_[begin, end); its children, if any, split that at the middle.
   struct Node {
@@ -29,11 +42,14 @@ class TriangleBvh {
     std::uint32_t right;  ///< index of the right child, the left one is next; 0 for a leaf
   };
   struct Item;
+  struct Ray;
 
   void build(std::vector<Item>& items, std::uint32_t begin, std::uint32_t end);
   void search(std::uint32_t node, const Vec3& p, double& nearest) const;
+  void search(std::uint32_t node, const Ray& ray, std::optional<RayHit>& first) const;
 
-  std::vector<Triangle> triangles_;  ///< along the leaves
+  std::vector<Triangle> triangles_;     ///< along the leaves
+  std::vector<std::uint32_t> indices_;  ///< in the mesh, of triangles_
   std::vector<Node> nodes_;
 };
 

@@ -60,7 +60,7 @@ enum class Sampling : std::uint8_t {
 
 /// How to sample and disturb a synthetic scan.
 struct SynthOptions {
-  std::size_t points = 100000;  ///< number of points on the surface, in [1, 2^31]
+  std::size_t points = 100000;  ///< number of points on the surface, in [1, 2^28]
   double noise = 0.005;         ///< standard deviation of the noise, in noise_unit, >= 0
   NoiseUnit noise_unit = NoiseUnit::Diagonal;
   NoiseKind noise_kind = NoiseKind::Isotropic;
