@@ -37,31 +37,57 @@ std::vector<Direction> fan(const Direction& step, const Direction& first) {
 
 Vec3 unit_vector(const Vec3& v) { return (1 / norm(v)) * v; }
 
-/// All rays that meet the surface, for angles of 2 atan(t) between them.
-std::vector<Site> scan(const TriangleBvh& bvh, const Box& box, double t, const Direction& shift_x,
-                       const Direction& shift_y, const Execution& execution) {
-  const std::vector<Direction> azimuths = fan(rotation(t), shift_x);
-  const std::vector<Direction> elevations = fan(rotation(t), shift_y);
-  const auto scanners = scanner_positions(box);
-  const Vec3 centre = middle(box);
-  std::vector<std::vector<Site>> lines(scanners.size() * elevations.size());
-  parallel_for(lines.size(), execution, [&](std::size_t line) {
-    check_cancelled(execution);
-    const std::size_t scanner = line / elevations.size();
-    const auto& [cos_up, sin_up] = elevations[line % elevations.size()];
-    const Vec3 ahead = unit_vector(centre - scanners.at(scanner));
-    const Vec3 right = unit_vector(cross(ahead, {0, 0, 1}));
-    const Vec3 up = cross(right, ahead);
-    for (const auto& [cos, sin] : azimuths) {
-      const Vec3 direction = cos_up * (cos * ahead + sin * right) + sin_up * up;
-      const std::optional<RayHit> hit = bvh.first_hit(scanners.at(scanner), direction);
-      if (hit) {
-        lines[line].push_back({{hit->point, hit->triangle}, static_cast<std::uint32_t>(scanner)});
-      }
-    }
-  });
+/// Angles of one scanner's grid of rays, as fractions of the angle between two of them.
+struct Shift {
+  double azimuth, elevation;
+};
+
+/// Where rays from one scanner meet the surface, line by line, for angles of 2 atan(t) between
+/// them.
+std::vector<Site> scan_from(const TriangleBvh& bvh, const Vec3& from, const Vec3& ahead,
+                            std::uint32_t scanner, double t, const Shift& shift,
+                            const Execution& execution) {
+  const std::vector<Direction> azimuths = fan(rotation(t), rotation(t * shift.azimuth));
+  const std::vector<Direction> elevations = fan(rotation(t), rotation(t * shift.elevation));
+  const Vec3 right = unit_vector(cross(ahead, {0, 0, 1}));
+  const Vec3 up = cross(right, ahead);
+  const std::size_t rays = elevations.size() * azimuths.size();
+  constexpr std::size_t at_once = std::size_t{1} << 20;  // to bound the memory
+  std::vector<std::optional<RayHit>> hits;
   std::vector<Site> sites;
-  for (const auto& line : lines) sites.insert(sites.end(), line.begin(), line.end());
+  for (std::size_t begin = 0; begin < rays; begin += at_once) {
+    const std::size_t end = std::min(rays, begin + at_once);
+    hits.assign(end - begin, std::nullopt);
+    const auto part = [&](std::size_t i) {
+      return static_cast<double>(i) / static_cast<double>(rays);
+    };
+    parallel_for(hits.size(), sub_execution(execution, "points", part(begin), part(end)),
+                 [&](std::size_t i) {
+                   const Direction& elevation = elevations[(begin + i) / azimuths.size()];
+                   const Direction& azimuth = azimuths[(begin + i) % azimuths.size()];
+                   const Vec3 level = azimuth.cos * ahead + azimuth.sin * right;
+                   hits[i] = bvh.first_hit(from, elevation.cos * level + elevation.sin * up);
+                 });
+    for (const std::optional<RayHit>& hit : hits) {
+      if (hit) sites.push_back({{hit->point, hit->triangle}, scanner});
+    }
+  }
+  return sites;
+}
+
+using Shifts = std::array<Shift, scanner_count>;
+
+std::vector<Site> scan_from_all(const TriangleBvh& bvh, const Box& box, double t,
+                                const Shifts& shifts, const Execution& execution) {
+  const auto scanners = scanner_positions(box);
+  std::vector<Site> sites;
+  for (std::uint32_t k = 0; k < scanner_count; ++k) {
+    const std::vector<Site> more = scan_from(
+        bvh, scanners.at(k), unit_vector(middle(box) - scanners.at(k)), k, t, shifts.at(k),
+        sub_execution(execution, "points", static_cast<double>(k) / scanner_count,
+                      static_cast<double>(k + 1) / scanner_count));
+    sites.insert(sites.end(), more.begin(), more.end());
+  }
   return sites;
 }
 
@@ -78,7 +104,7 @@ void choose(std::vector<Site>& sites, std::size_t count, Random& random) {
 
 }  // namespace
 
-std::array<Vec3, 4> scanner_positions(const Box& box) {
+std::array<Vec3, scanner_count> scanner_positions(const Box& box) {
   const double step = away * norm(box.high - box.low) / std::sqrt(3.0);
   const Vec3 centre = middle(box);
   return {centre + step * Vec3{1, 1, 1}, centre + step * Vec3{-1, -1, 1},
@@ -89,26 +115,30 @@ std::vector<Site> scanner_sites(const TriangleMesh& mesh, std::size_t count, Ran
                                 const Execution& execution) {
   const TriangleBvh bvh(mesh);
   const Box box = bounding_box(mesh);
-  // Where the grid of rays lies differs from seed to seed, in either direction by up to one step.
-  const double shift_x = random.uniform();
-  const double shift_y = random.uniform();
-  const auto scan_at = [&](double t, const Execution& part) {
-    return scan(bvh, box, t, rotation(t * shift_x), rotation(t * shift_y), part);
-  };
+  // Where the grids of rays lie differs from scanner to scanner and from seed to seed.
+  Shifts shifts;
+  for (Shift& shift : shifts) {
+    shift.azimuth = random.uniform();
+    shift.elevation = random.uniform();
+  }
   const Execution quiet{.threads = execution.threads, .cancelled = execution.cancelled};
   // A few more than needed, so that one scan is mostly enough.
   const double wanted = static_cast<double>(count) + 2 * std::sqrt(static_cast<double>(count));
   double t = 1.0 / 256;
   double done = 0;
-  double hits = static_cast<double>(scan_at(t, quiet).size());
-  for (int tries = 0; tries < 32; ++tries) {
+  double hits = static_cast<double>(scan_from_all(bvh, box, t, shifts, quiet).size());
+  for (;;) {
     // Hits go with the inverse square of the angle. A grid that meets little tells little.
     t *= hits >= 16 ? std::sqrt(hits / wanted) : 0.5;
     // Not so coarse that a scanner has no ray at all.
     t = std::min(t, 0.05);
+    const double rays_to_a_side = 0.34 / t;
+    if (rays_to_a_side * rays_to_a_side > 1e6 + 1000 * wanted) {
+      throw DataError("synth.sampling: hardly any ray of a scanner meets the surface");
+    }
     // Progress never falls, so another scan has half of what is left for it.
-    std::vector<Site> sites =
-        scan_at(t, sub_execution(execution, "points", done, 0.5 + 0.5 * done));
+    std::vector<Site> sites = scan_from_all(
+        bvh, box, t, shifts, sub_execution(execution, "points", done, 0.5 + 0.5 * done));
     done = 0.5 + 0.5 * done;
     if (sites.size() >= count) {
       choose(sites, count, random);
@@ -116,7 +146,6 @@ std::vector<Site> scanner_sites(const TriangleMesh& mesh, std::size_t count, Ran
     }
     hits = 0.98 * static_cast<double>(sites.size());
   }
-  throw DataError("synth.sampling: hardly any ray of a scanner meets the surface");
 }
 
 }  // namespace deburr

@@ -14,7 +14,7 @@ namespace deburr {
 namespace {
 
 // Fine enough for chords within 1e-5 of the diagonal of the bounding box.
-constexpr std::size_t bumpy_steps = 320;
+constexpr std::size_t bumpy_steps = 384;
 
 /// A smooth hill, or a hollow, of a height field.
 struct Bump {

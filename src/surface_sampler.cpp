@@ -48,7 +48,8 @@ SurfacePoint SurfaceSampler::place(Random& random) const {
 Vec3 triangle_normal(const TriangleMesh& mesh, std::uint32_t triangle) {
   const Vec3 normal = area_normal(mesh, triangle);
   const double length = norm(normal);
-  return length > 0 ? (1 / length) * normal : Vec3{};
+  if (!(length > 0)) return {};
+  return {normal.x / length, normal.y / length, normal.z / length};
 }
 
 }  // namespace deburr

@@ -22,9 +22,10 @@ struct Site {
   std::uint32_t scanner = 0;  ///< which one sees it
 };
 
+inline constexpr std::uint32_t scanner_count = 4;
 /// Where the scanners stand: one and a half diagonals from the middle of the box, towards four
 /// corners of a cube that form a tetrahedron.
-[[nodiscard]] std::array<Vec3, 4> scanner_positions(const Box& box);
+[[nodiscard]] std::array<Vec3, scanner_count> scanner_positions(const Box& box);
 
 /// `count` points that are random but keep apart: of `candidates_per_point` x `count` random ones,
 /// the most crowded one is taken out over and over. Candidates on faces that look in opposite
