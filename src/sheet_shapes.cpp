@@ -112,7 +112,7 @@ SampledShape sampled_shape(Shape shape, const ShapeOptions& options) {
       return stepped_wall();
   }
   throw std::invalid_argument(
-      fmt::format("shape must be one of Shape, got {}", static_cast<int>(shape)));
+      fmt::format("shape must be a Shape, got {}", static_cast<int>(shape)));
 }
 
 TriangleMesh shape_mesh(Shape shape, const ShapeOptions& options) {

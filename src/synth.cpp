@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deburr/synth.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -105,6 +107,9 @@ Draws draw(const SampledShape& shape, const SurfaceSampler& sampler, const Synth
     case Sampling::Scanner:
       draws.sites = scanner_sites(shape.mesh, options.points, random, execution);
       break;
+    default:
+      throw std::invalid_argument(fmt::format("synth.sampling must be a Sampling, got {}",
+                                              static_cast<int>(options.sampling)));
   }
   for (std::size_t i = 0; i < draws.sites.size(); ++i) {
     draws.gaussians.push_back(draw_gaussians(random));
