@@ -18,7 +18,7 @@ constexpr double sqrt3 = 1.7320508075688772;
 constexpr double opposite = -0.5;
 
 /// Half the distance of neighbours in the densest packing of as many discs as points there should
-/// be, for every triangle (equation 2 of the paper).
+/// be, for every triangle.
 std::vector<double> disc_radii(const SampledShape& shape, std::size_t count) {
   const std::size_t triangles = shape.mesh.triangles.size();
   const auto density = [&](std::size_t t) { return shape.density.empty() ? 1 : shape.density[t]; };
@@ -46,7 +46,7 @@ class Elimination {
         points_(gather<Vec3>(positions(candidates), order_)),
         tree_(points_, quiet(execution)) {
     // Candidates closer than this crowd each other as if they were that far apart: without it the
-    // first to go are pairs that lie close by chance (section 3.1 of the paper).
+    // first to go are pairs that lie close by chance.
     const double share = static_cast<double>(count) / static_cast<double>(candidates.size());
     least_ = 0.65 * (1 - share * std::sqrt(share));
     for (std::uint32_t t = 0; t < shape.mesh.triangles.size(); ++t) {
@@ -101,7 +101,7 @@ class Elimination {
     return points;
   }
 
-  /// Calls tell(j, weight) for all that candidate i is crowded by (equation 3 of the paper); the
+  /// Calls tell(j, weight) for all that candidate i is crowded by; the
   /// weight is that of i on j as well.
   template <typename Tell>
   void visit(std::uint32_t i, std::vector<Found>& found, const Tell& tell) const {
