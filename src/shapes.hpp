@@ -43,7 +43,8 @@ void add_grid(TriangleMesh& mesh, std::size_t nu, std::size_t nv, bool closed_u,
     for (std::size_t j = 0; j < columns; ++j) mesh.vertices.push_back(place(i, j));
   }
   const auto at = [&](std::size_t i, std::size_t j) {
-    return static_cast<std::uint32_t>(first + (i % rows) * columns + j % columns);
+    return static_cast<std::uint32_t>(first + (i == rows ? 0 : i) * columns +
+                                      (j == columns ? 0 : j));
   };
   for (std::size_t i = 0; i < nu; ++i) {
     for (std::size_t j = 0; j < nv; ++j) {

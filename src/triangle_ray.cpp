@@ -53,7 +53,8 @@ struct TriangleBvh::Ray {
     }
     // A few roundings more, so that no triangle at the border of its box is lost.
     constexpr double margin = 1 + 8 * std::numeric_limits<double>::epsilon();
-    return enter <= leave * margin ? enter : infinity;
+    if (enter > leave * margin) return infinity;
+    return enter;
   }
 
   /// The hit of a triangle, at an infinite distance if there is none.

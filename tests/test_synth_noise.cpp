@@ -112,6 +112,7 @@ TEST(SynthNoise, RayOfAScanIsThatOfItsScanner) {
       Shape::Cube,
       {.points = 2000, .noise = 0.01, .noise_kind = NoiseKind::Ray, .sampling = Sampling::Scanner});
   std::array<int, 4> seen{};
+  std::size_t last = 0;
   for (std::size_t i = 0; i < scan.cloud.size(); ++i) {
     const Vec3 moved = scan.cloud.points[i] - scan.clean[i];
     int along = 0;
@@ -122,6 +123,8 @@ TEST(SynthNoise, RayOfAScanIsThatOfItsScanner) {
       if (norm(cross(moved, ray)) > 1e-13) continue;
       ++along;
       ++seen.at(k);
+      ASSERT_GE(k, last) << i;  // one scanner after the other
+      last = k;
     }
     ASSERT_EQ(along, 1) << i;
   }

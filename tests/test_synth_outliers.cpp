@@ -137,7 +137,17 @@ TEST(SynthOutliers, AnyNumberMakesClusters) {
   const Box box{{-1, -1, -1}, {2, 2, 2}};
   Random random(1);
   for (std::size_t count = 0; count < 200; ++count) {
-    EXPECT_EQ(clustered_outliers(count, 0.01, 0.1, cube, box, random).size(), count);
+    const std::vector<Vec3> points = clustered_outliers(count, 0.01, 0.1, cube, box, random);
+    ASSERT_EQ(points.size(), count);
+    // Cluster by cluster, so that they can be told apart by the way from one to the next.
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      ++size;
+      if (i + 1 < count && norm(points[i + 1] - points[i]) <= 0.02) continue;
+      EXPECT_GE(size, std::min<std::size_t>(count, 15)) << count;
+      EXPECT_LE(size, 60U) << count;
+      size = 0;
+    }
   }
 }
 

@@ -14,7 +14,9 @@
 #include "deburr/metrics.hpp"
 #include "deburr/neighborhoods.hpp"
 #include "deburr/synth.hpp"
+#include "shapes.hpp"
 #include "support/compare.hpp"
+#include "synth_sites.hpp"
 #include "triangle_bvh.hpp"
 
 namespace deburr {
@@ -74,6 +76,14 @@ TEST(SynthSampling, TellsHowFarItIsWithoutEverFallingBack) {
     EXPECT_GT(told, 3);
     EXPECT_LE(last, 1);
   }
+  // Among so few points there are some for which one scan is not enough.
+  for (std::size_t count = 1; count < 60; ++count) {
+    double last = 0;
+    (void)synthesize(Shape::Part, clean(Sampling::Scanner, count), {.progress = [&](const auto& p) {
+                       EXPECT_GE(p.fraction, last) << count;
+                       last = p.fraction;
+                     }});
+  }
 }
 
 // In the densest packing neighbours are 1.0746 spacings apart; the source reports that elimination
@@ -99,6 +109,24 @@ TEST(PoissonSampling, IsAsDenseOnEveryFace) {
   }
   // Far less scatter than the 32 of random points.
   for (const double count : counts) EXPECT_NEAR(count, 1000, 25);
+}
+
+// Where a sparse face meets one that is 16 times as dense, both have the points that are theirs.
+TEST(PoissonSampling, KeepsToAJumpOfTheDensity) {
+  SampledShape shape;
+  add_grid(shape.mesh, 2, 1, false, false, [](std::size_t i, std::size_t j) {
+    return Vec3{static_cast<double>(i), static_cast<double>(j), 0};
+  });
+  shape.density = {16, 16, 1, 1};
+  Random random(1);
+  const SurfaceSampler sampler(shape.mesh, shape.density);
+  std::array<std::vector<Vec3>, 2> sides;
+  for (const Site& site : poisson_sites(shape, sampler, 3400, random, {})) {
+    sides.at(site.at.triangle / 2).push_back(site.at.position);
+  }
+  EXPECT_NEAR(static_cast<double>(sides[0].size()), 3200, 20);
+  EXPECT_GT(std::ranges::min(nearest_distances(sides[0])), 0.6 / std::sqrt(3200.0));
+  EXPECT_GT(std::ranges::min(nearest_distances(sides[1])), 0.6 / std::sqrt(200.0));
 }
 
 // Two sheets a tenth of a spacing apart are two surfaces: each is as evenly filled as one alone.
