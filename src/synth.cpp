@@ -130,11 +130,11 @@ SyntheticScan scan_of(SampledShape shape, const SynthOptions& options, const Exe
   Random random(options.seed);
   const auto [sites, gaussians] = draw(shape, sampler, options, random, execution);
   const auto scanners = scanner_positions(box);
-  scan.cloud.points.resize(options.points);
-  scan.clean.resize(options.points);
-  scan.normals.resize(options.points);
-  scan.outlier.resize(options.points);
-  for (std::size_t i = 0; i < options.points; ++i) {
+  scan.cloud.points.resize(sites.size());
+  scan.clean.resize(sites.size());
+  scan.normals.resize(sites.size());
+  scan.outlier.resize(sites.size());
+  for (std::size_t i = 0; i < sites.size(); ++i) {
     const auto& [at, scanner] = sites[i];
     scan.clean[i] = at.position;
     scan.normals[i] = triangle_normal(shape.mesh, at.triangle);
