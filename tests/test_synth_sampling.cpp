@@ -90,7 +90,7 @@ TEST(SynthSampling, TellsHowFarItIsWithoutEverFallingBack) {
   // Specks that a first scan hardly meets, so that several are needed.
   double last = 0;
   int told = 0;
-  (void)synthesize(two_specks(0.01), clean(Sampling::Scanner, 200),
+  (void)synthesize(two_specks(0.03), clean(Sampling::Scanner, 200),
                    {.progress = [&](const Progress& p) {
                      EXPECT_GE(p.fraction, last);
                      last = p.fraction;
