@@ -12,6 +12,13 @@
 
 namespace deburr {
 
+/// The triangle nearest to a point; of several at the same distance the first of the mesh.
+struct NearestTriangle {
+  std::uint32_t triangle;
+  double squared_distance;
+  Vec3 point;  ///< of the triangle
+};
+
 /// A balanced tree of bounding boxes over the triangles of a mesh, to find the nearest one.
 class TriangleBvh {
  public:
@@ -20,6 +27,16 @@ class TriangleBvh {
 
   /// Squared distance from a finite point to the nearest triangle.
   [[nodiscard]] double squared_distance(const Vec3& p) const;
+
+  /// That triangle, for a finite point.
+  [[nodiscard]] NearestTriangle nearest(const Vec3& p) const;
+
+  /// All triangles no farther than sqrt(squared_radius) from a finite point, appended to the
+  /// cleared `found` in ascending order of their indices.
+  void within(const Vec3& p, double squared_radius, std::vector<std::uint32_t>& found) const;
+
+  /// The box of all triangles.
+  [[nodiscard]] const Box& box() const { return nodes_.front().box; }
 
  private:
   /// A node owns triangles_[begin, end); its children, if any, split that at the middle.
@@ -31,9 +48,11 @@ class TriangleBvh {
   struct Item;
 
   void build(std::vector<Item>& items, std::uint32_t begin, std::uint32_t end);
-  void search(std::uint32_t node, const Vec3& p, double& nearest) const;
+  template <typename Reaches, typename Visit>
+  void search(std::uint32_t node, const Vec3& p, const Reaches& reaches, const Visit& visit) const;
 
-  std::vector<Triangle> triangles_;  ///< along the leaves
+  std::vector<Triangle> triangles_;     ///< along the leaves
+  std::vector<std::uint32_t> indices_;  ///< in the mesh, of triangles_
   std::vector<Node> nodes_;
 };
 
