@@ -47,10 +47,12 @@ CloudError compare_to_cloud(Points points, Points truth, const Execution& execut
 
   const Box box = bounding_box(truths.points());
   const double diagonal = norm(box.high - box.low);
-  error.to_truth = summarize(
-      distances_to(truths, cloud.points(), sub_execution(execution, "", 0, 0.5)), diagonal);
-  error.coverage = summarize(
-      distances_to(cloud, truths.points(), sub_execution(execution, "", 0.5, 1)), diagonal);
+  error.to_truth =
+      summarize(distances_to(truths, cloud.points(), sub_execution(execution, "distances", 0, 0.5)),
+                diagonal);
+  error.coverage =
+      summarize(distances_to(cloud, truths.points(), sub_execution(execution, "distances", 0.5, 1)),
+                diagonal);
   const double unit = radius(truths.points(), box);
   if (unit > 0 && !cloud.empty()) {
     const double forth = error.to_truth.rms / unit;

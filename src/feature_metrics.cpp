@@ -80,7 +80,7 @@ FeatureScore score_features(Points points, std::span<const Feature> labels,
   const Segments edges(truth.edges);
 
   std::vector<double> to_edge(points.size());
-  parallel_for(points.size(), execution, [&](std::size_t i) {
+  parallel_for(points.size(), sub_execution(execution, "labels", 0, 0.6), [&](std::size_t i) {
     to_edge[i] = is_finite(points[i]) ? std::sqrt(edges.squared_distance(points[i]))
                                       : std::numeric_limits<double>::quiet_NaN();
   });
@@ -97,9 +97,10 @@ FeatureScore score_features(Points points, std::span<const Feature> labels,
 
   double all_length = 0;
   for (const auto& edge : truth.edges) all_length += length(edge);
-  const double seen = parallel_sum(truth.edges.size(), execution, [&](std::size_t i) {
-    return length_seen(truth.edges[i], labelled, edge_reach * spacing, spacing / 4);
-  });
+  const double seen = parallel_sum(
+      truth.edges.size(), sub_execution(execution, "edges", 0.6, 1), [&](std::size_t i) {
+        return length_seen(truth.edges[i], labelled, edge_reach * spacing, spacing / 4);
+      });
 
   const auto near = [&](const std::vector<Vec3>& places, const FiniteCloud& cloud) {
     return static_cast<double>(std::ranges::count_if(
@@ -124,16 +125,14 @@ DistanceError edge_error(Points points, const TriangleMesh& surface, const Sharp
   const Segments edges(sharp.edges);
   const double reach = edge_zone * spacing;
   std::vector<std::uint8_t> near(points.size());
-  parallel_for(points.size(), execution, [&](std::size_t i) {
+  parallel_for(points.size(), sub_execution(execution, "edges", 0, 0.7), [&](std::size_t i) {
     near[i] = is_finite(points[i]) && edges.squared_distance(points[i]) <= reach * reach ? 1 : 0;
   });
   std::vector<Vec3> zone;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (near[i] != 0) zone.push_back(points[i]);
   }
-  // Progress would go back to zero.
-  return compare_to_surface(zone, surface,
-                            {.threads = execution.threads, .cancelled = execution.cancelled});
+  return compare_to_surface(zone, surface, sub_execution(execution, "distances", 0.7, 1));
 }
 
 }  // namespace deburr
