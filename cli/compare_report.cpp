@@ -20,8 +20,7 @@ std::string row(const char* name, const std::string& values) {
   return fmt::format("{:<11} {}\n", name, values);
 }
 
-void add_features(Json& json, const Comparison& c) {
-  const FeatureFigures& f = *c.features;
+void add_features(Json& json, const Comparison& c, const FeatureFigures& f) {
   json["sharp_edges"] = f.edges;
   json["sharp_corners"] = f.corners;
   json["edge_count"] = f.zone.count;
@@ -53,8 +52,7 @@ void add_one_by_one(Json& json, const Comparison& c) {
   }
 }
 
-std::string feature_rows(const Comparison& c) {
-  const FeatureFigures& f = *c.features;
+std::string feature_rows(const Comparison& c, const FeatureFigures& f) {
   std::string text =
       row("at edges", fmt::format("{:<12.6g} mean error, {:.3g} x that of all points", f.zone.mean,
                                   f.zone.mean / c.error.mean));
@@ -97,7 +95,7 @@ Json to_json(const Comparison& c) {
     json["normal_error_oriented"] = c.normals->oriented;
   }
   if (c.spacing) json["spacing"] = *c.spacing;
-  if (c.features) add_features(json, c);
+  if (c.features) add_features(json, c, *c.features);
   add_one_by_one(json, c);
   json["warnings"] = c.warnings;
   return json;
@@ -120,7 +118,7 @@ std::string to_text(const Comparison& c) {
     text += row("normals", fmt::format("{:.3g} degrees off, {:.3g} with their sign",
                                        c.normals->unoriented, c.normals->oriented));
   }
-  if (c.features) text += feature_rows(c);
+  if (c.features) text += feature_rows(c, *c.features);
   if (c.outliers) {
     text += row("outliers", fmt::format("precision {}, recall {}", percent(c.outliers->precision),
                                         percent(c.outliers->recall)));

@@ -54,13 +54,15 @@ double length(const std::array<Vec3, 2>& edge) { return norm(edge[1] - edge[0]);
 /// Length of the part of an edge that has a point within reach.
 double length_seen(const std::array<Vec3, 2>& edge, const FiniteCloud& cloud, double reach,
                    double step) {
-  const double pieces = std::max(1.0, std::ceil(length(edge) / step));
-  double seen = 0;
-  for (double k = 0; k < pieces; ++k) {
-    const Vec3 middle = edge[0] + ((k + 0.5) / pieces) * (edge[1] - edge[0]);
-    if (has_within(cloud, middle, reach)) ++seen;
+  // Not even billions of points need as many as the limit.
+  const auto pieces =
+      static_cast<std::size_t>(std::clamp(std::ceil(length(edge) / step), 1.0, 1e7));
+  std::size_t seen = 0;
+  for (std::size_t k = 0; k < pieces; ++k) {
+    const double at = (static_cast<double>(k) + 0.5) / static_cast<double>(pieces);
+    if (has_within(cloud, edge[0] + at * (edge[1] - edge[0]), reach)) ++seen;
   }
-  return seen / pieces * length(edge);
+  return static_cast<double>(seen) / static_cast<double>(pieces) * length(edge);
 }
 
 }  // namespace
