@@ -72,7 +72,7 @@ TEST(NormalError, TakesPlacesRoundedAtLargeOffsetsAsTheSame) {
   TriangleMesh mesh = cube_mesh();
   const Vec3 offset{1e7, -1e7, 4e6};
   for (Vec3& v : mesh.vertices) v = 0.1 * v + offset;
-  const Vec3 corner = mesh.vertices[7] + Vec3{2e-9, 0, 0};  // one rounding away
+  const Vec3 corner = mesh.vertices[7] - Vec3{2e-9, 0, 0};  // one rounding away
   for (const Vec3& n : {Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
     EXPECT_NEAR(of_one(corner, n, mesh).oriented, 0, 1e-5);
   }
