@@ -12,6 +12,7 @@ namespace deburr {
 namespace {
 
 constexpr std::uint32_t leaf_size = 12;
+/// No point has it, since there are fewer than 2^32.
 constexpr std::uint32_t any_index = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
@@ -78,14 +79,14 @@ void KdTree::search(std::uint32_t node, const Vec3& at, const Found& limit,
   descend(left_first ? n.right : left, left_first ? to_right : to_left);
 }
 
-void KdTree::nearest(std::uint32_t query, std::size_t count, double squared_radius,
-                     std::vector<Found>& found) const {
+void KdTree::nearest(const Vec3& at, std::uint32_t excluded, std::size_t count,
+                     double squared_radius, std::vector<Found>& found) const {
   found.clear();
   if (count == 0 || nodes_.empty()) return;
   // A max-heap of the best so far, with the worst in front.
   Found limit{squared_radius, any_index};
-  search(0, points_[query], limit, [&](const Found& f) {
-    if (f.index == query || limit < f) return;
+  search(0, at, limit, [&](const Found& f) {
+    if (f.index == excluded || limit < f) return;
     if (found.size() == count) {
       std::pop_heap(found.begin(), found.end());
       found.pop_back();
@@ -97,14 +98,39 @@ void KdTree::nearest(std::uint32_t query, std::size_t count, double squared_radi
   std::sort_heap(found.begin(), found.end());
 }
 
-void KdTree::within(std::uint32_t query, double squared_radius, std::vector<Found>& found) const {
+void KdTree::within(const Vec3& at, std::uint32_t excluded, double squared_radius,
+                    std::vector<Found>& found) const {
   found.clear();
   if (nodes_.empty()) return;
   const Found limit{squared_radius, any_index};
-  search(0, points_[query], limit, [&](const Found& f) {
-    if (f.squared_distance <= squared_radius && f.index != query) found.push_back(f);
+  search(0, at, limit, [&](const Found& f) {
+    if (f.squared_distance <= squared_radius && f.index != excluded) found.push_back(f);
   });
   std::sort(found.begin(), found.end());
+}
+
+void KdTree::nearest(std::uint32_t query, std::size_t count, double squared_radius,
+                     std::vector<Found>& found) const {
+  nearest(points_[query], query, count, squared_radius, found);
+}
+
+void KdTree::within(std::uint32_t query, double squared_radius, std::vector<Found>& found) const {
+  within(points_[query], query, squared_radius, found);
+}
+
+void KdTree::nearest_to(const Vec3& at, std::size_t count, double squared_radius,
+                        std::vector<Found>& found) const {
+  nearest(at, any_index, count, squared_radius, found);
+}
+
+void KdTree::within_of(const Vec3& at, double squared_radius, std::vector<Found>& found) const {
+  within(at, any_index, squared_radius, found);
+}
+
+Found KdTree::nearest_to(const Vec3& at) const {
+  Found best{std::numeric_limits<double>::infinity(), any_index};
+  search(0, at, best, [&](const Found& f) { best = std::min(best, f); });
+  return best;
 }
 
 std::size_t KdTree::count_within(std::uint32_t query, double squared_radius) const {

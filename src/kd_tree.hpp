@@ -36,6 +36,16 @@ class KdTree {
   /// All other points of point `query` no farther than sqrt(squared_radius), likewise.
   void within(std::uint32_t query, double squared_radius, std::vector<Found>& found) const;
 
+  /// The `count` nearest points of a finite place no farther than sqrt(squared_radius), likewise.
+  void nearest_to(const Vec3& at, std::size_t count, double squared_radius,
+                  std::vector<Found>& found) const;
+
+  /// The nearest point of a finite place. The tree must hold at least one point.
+  [[nodiscard]] Found nearest_to(const Vec3& at) const;
+
+  /// All points of a finite place no farther than sqrt(squared_radius), likewise.
+  void within_of(const Vec3& at, double squared_radius, std::vector<Found>& found) const;
+
   /// Number of points that within() finds; does not visit points of boxes wholly inside.
   [[nodiscard]] std::size_t count_within(std::uint32_t query, double squared_radius) const;
 
@@ -52,6 +62,11 @@ class KdTree {
   };
 
   void build(std::uint32_t begin, std::uint32_t end, const Execution& execution);
+  /// `excluded` is the index of a point that is not to be found.
+  void nearest(const Vec3& at, std::uint32_t excluded, std::size_t count, double squared_radius,
+               std::vector<Found>& found) const;
+  void within(const Vec3& at, std::uint32_t excluded, double squared_radius,
+              std::vector<Found>& found) const;
   template <typename Visit>
   void search(std::uint32_t node, const Vec3& at, const Found& limit, const Visit& visit) const;
 

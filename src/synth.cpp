@@ -12,10 +12,10 @@
 
 #include "box.hpp"
 #include "deburr/error.hpp"
+#include "mesh_check.hpp"
 #include "random.hpp"
 #include "require.hpp"
 #include "shapes.hpp"
-#include "surface_check.hpp"
 #include "surface_sampler.hpp"
 #include "synth_outliers.hpp"
 #include "synth_sites.hpp"
@@ -170,7 +170,7 @@ SyntheticScan synthesize(Shape shape, const SynthOptions& options, const Executi
 SyntheticScan synthesize(const TriangleMesh& surface, const SynthOptions& options,
                          const Execution& execution) {
   check(options);
-  check_surface(surface);
+  require_surface(surface);
   return scan_of({surface, {}}, options, execution);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The deburr authors
 // SPDX-License-Identifier: Apache-2.0
-#include "surface_check.hpp"
+#include "mesh_check.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 namespace deburr {
 
-void check_surface(const TriangleMesh& surface) {
+void require_surface(const TriangleMesh& surface) {
   if (surface.triangles.empty()) throw std::invalid_argument("surface has no triangles");
   if (surface.triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
     throw std::invalid_argument(fmt::format("surface must have fewer than 2^32 triangles, got {}",
