@@ -65,12 +65,10 @@ def cases(rows, path):
                  for name in names]
         axis.barh([i + (k - (len(methods) - 1) / 2) * height for i in range(len(names))], ratio,
                   height, label=method)
-    for i, name in enumerate(names):
-        f = next(r.figures for r in rows if r.case == name)
-        if f.get("peer"):
-            axis.plot([f["peer"] / f["noisy"]] * 2, [i - 0.45, i + 0.45], "k", linewidth=2,
-                      label=None if axis.get_legend_handles_labels()[1][-1] == "best peer"
-                      else "best peer")
+    of = [next(r.figures for r in rows if r.case == name) for name in names]
+    peers = [(f["peer"] / f["noisy"], i) for i, f in enumerate(of) if f.get("peer")]
+    if peers:
+        axis.plot(*zip(*peers), "k|", markersize=26, markeredgewidth=2, label="best peer")
     axis.axvline(1, color="0.6", linestyle="--")
     axis.set_yticks(range(len(names)), names)
     axis.invert_yaxis()

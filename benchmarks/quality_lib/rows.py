@@ -37,8 +37,8 @@ def text(value):
         return "-"
     if isinstance(value, str):
         return value
-    if isinstance(value, int) or value == 0:
-        return str(value)
+    if value == int(value) and abs(value) < 1e9:
+        return str(int(value))
     return f"{value:.4g}" if 1e-3 <= abs(value) < 1e4 else f"{value:.2e}"
 
 
