@@ -8,7 +8,7 @@ TYPES = {"char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4"
 
 
 def read(path):
-    """The fields of the points as an array of records, and the triangles (an empty array if none)."""
+    """The fields of the points as records, and the triangles, an empty array if none."""
     with open(path, "rb") as file:
         data = file.read()
     at = data.index(b"end_header\n") + len(b"end_header\n")
