@@ -4,10 +4,11 @@
 
 #include "args.hpp"
 #include "commands.hpp"
+#include "compare_measure.hpp"
+#include "compare_report.hpp"
 #include "console.hpp"
 #include "deburr/error.hpp"
 #include "deburr/io.hpp"
-#include "deburr/metrics.hpp"
 #include "deburr/version.hpp"
 #include "interrupt.hpp"
 #include "json_line.hpp"
@@ -23,43 +24,44 @@ struct CompareArgs {
   CommonArgs common;
   std::string cloud;
   std::string truth;
+  std::string clean;
+  CompareOptions options;
 };
 
-void run(const CompareArgs& args) {
-  const PointCloud cloud = read_cloud(args.cloud, interrupted);
-  const TriangleMesh truth = read_mesh(args.truth);
-  ProgressBar bar(args.common.quiet);
-  const SurfaceError error = compare_to_surface(cloud.points, truth,
-                                                {.threads = args.common.threads,
-                                                 .progress = bar.part("distances", 0, 1),
-                                                 .cancelled = interrupted});
-  bar.clear();
-  if (error.count == 0) throw DataError(args.cloud + ": no finite point to compare");
+bool has_finite_point(const Truth& truth) {
+  const auto* const cloud = std::get_if<PointCloud>(&truth);
+  return cloud == nullptr || std::ranges::any_of(cloud->points, is_finite);
+}
 
-  const std::size_t non_finite = cloud.size() - error.count;
+void run(CompareArgs& args) {
+  args.options.threads = args.common.threads;
+  const PointCloud cloud = read_cloud(args.cloud, interrupted);
+  const Truth truth = read_mesh_or_cloud(args.truth, interrupted);
+  std::optional<PointCloud> clean;
+  if (!args.clean.empty()) clean = read_cloud(args.clean, interrupted);
+  if (!has_finite_point(truth)) throw DataError(args.truth + ": no finite point to compare with");
+
+  ProgressBar bar(args.common.quiet);
+  const Comparison comparison = compare(cloud, truth, clean, args.options, bar);
+  bar.clear();
+  if (comparison.error.count == 0) throw DataError(args.cloud + ": no finite point to compare");
+
   if (args.common.json) {
-    print(to_line({{"deburr_version", version},
-                   {"command", "compare"},
-                   {"input", args.cloud},
-                   {"truth", args.truth},
-                   {"count", error.count},
-                   {"non_finite", non_finite},
-                   {"diagonal", error.diagonal},
-                   {"mean", error.mean},
-                   {"rms", error.rms},
-                   {"maximum", error.maximum},
-                   {"mean_relative", error.mean / error.diagonal},
-                   {"rms_relative", error.rms / error.diagonal},
-                   {"maximum_relative", error.maximum / error.diagonal}}));
+    nlohmann::ordered_json json{{"deburr_version", version},
+                                {"command", "compare"},
+                                {"input", args.cloud},
+                                {"truth", args.truth}};
+    if (clean) json["clean"] = args.clean;
+    json.update(to_json(comparison));
+    print(to_line(json));
     return;
   }
-  const auto line = [&](const char* name, double value) {
-    return fmt::format("{:<11} {:<12.6g} {:.6g} % of the diagonal\n", name, value,
-                       100 * value / error.diagonal);
-  };
-  print(fmt::format("{:<11} {}\n{:<11} {}\n{:<11} {:.6g}\n", "points", error.count, "not finite",
-                    non_finite, "diagonal", error.diagonal) +
-        line("mean", error.mean) + line("rms", error.rms) + line("maximum", error.maximum));
+  if (!args.common.quiet) {
+    for (const std::string& warning : comparison.warnings) {
+      tell("deburr: warning: " + warning + "\n");
+    }
+  }
+  print(to_text(comparison));
 }
 
 }  // namespace
@@ -69,8 +71,20 @@ void add_compare_command(CLI::App& program) {
       program.add_subcommand("compare", "Measure how far points lie from a true surface");
   const auto args = std::make_shared<CompareArgs>();
   add_file(*command, "CLOUD", args->cloud, "Point cloud: PLY, or text with x y z in each line");
-  add_file(*command, "--truth", args->truth, "The true surface: a PLY file with faces")
-      ->option_text("MESH REQUIRED");
+  add_file(*command, "--truth", args->truth,
+           "The true surface: a PLY file with faces, or a cloud of points on it")
+      ->option_text("MESH_OR_CLOUD REQUIRED");
+  command
+      ->add_option(
+          "--clean", args->clean,
+          "The points of CLOUD in the same order without noise, with true normals; a field "
+          "outlier marks those that are none of the surface")
+      ->option_text("CLOUD");
+  command->add_flag("--skip-outliers", args->options.skip_outliers,
+                    "Leave out points whose field deburr_outlier is not 0");
+  add_value(*command, "--samples", args->options.coverage.samples,
+            "Places on the true mesh at which coverage is measured; 0 for none");
+  add_value(*command, "--seed", args->options.coverage.seed, "The same seed gives the same places");
   add_common_options(*command, args->common, examples);
   command->callback([args] { run(*args); });
 }

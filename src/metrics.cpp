@@ -2,45 +2,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deburr/metrics.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "box.hpp"
+#include "distance_error.hpp"
+#include "finite_cloud.hpp"
+#include "mesh_check.hpp"
 #include "parallel.hpp"
+#include "random.hpp"
+#include "surface_sampler.hpp"
 #include "triangle_bvh.hpp"
 
 namespace deburr {
 namespace {
 
-void check_surface(const TriangleMesh& surface) {
-  if (surface.triangles.empty()) throw std::invalid_argument("surface has no triangles");
-  if (surface.triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
-    throw std::invalid_argument(fmt::format("surface must have fewer than 2^32 triangles, got {}",
-                                            surface.triangles.size()));
-  }
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    for (const std::uint32_t corner : surface.triangles[i]) {
-      if (corner >= surface.vertices.size()) {
-        throw std::invalid_argument(
-            fmt::format("surface.triangles[{}] has corner {} of {} vertices", i, corner,
-                        surface.vertices.size()));
-      }
-      if (!is_finite(surface.vertices[corner])) {
-        throw std::invalid_argument(fmt::format("surface.vertices[{}] is not finite", corner));
-      }
-    }
-  }
+double diagonal(const TriangleMesh& surface) {
+  const Box box = bounding_box(surface);
+  return norm(box.high - box.low);
 }
 
 }  // namespace
 
 std::vector<double> distance_to_surface(Points points, const TriangleMesh& surface,
                                         const Execution& execution) {
-  check_surface(surface);
+  require_surface(surface);
   const TriangleBvh bvh(surface);
   std::vector<double> distances(points.size());
   parallel_for(points.size(), execution, [&](std::size_t i) {
@@ -52,23 +38,33 @@ std::vector<double> distance_to_surface(Points points, const TriangleMesh& surfa
 
 SurfaceError compare_to_surface(Points points, const TriangleMesh& surface,
                                 const Execution& execution) {
-  SurfaceError error;
-  double sum = 0;
-  double sum_of_squares = 0;
-  for (const double d : distance_to_surface(points, surface, execution)) {
-    if (std::isnan(d)) continue;
-    ++error.count;
-    sum += d;
-    sum_of_squares += d * d;
-    error.maximum = std::max(error.maximum, d);
+  std::vector<double> distances = distance_to_surface(points, surface, execution);
+  return summarize(std::move(distances), diagonal(surface));
+}
+
+DistanceError surface_coverage(Points points, const TriangleMesh& surface,
+                               const CoverageOptions& options, const Execution& execution) {
+  require_surface(surface);
+  const SurfaceSampler sampler(surface);
+  const FiniteCloud cloud(points, execution);
+  std::vector<double> distances;
+  if (!cloud.empty() && sampler.area() > 0) {
+    // Drawn one after the other, so that the threads do not matter.
+    Random random(options.seed);
+    std::vector<Vec3> places(options.samples);
+    for (Vec3& place : places) place = sampler.draw(random);
+    distances.resize(options.samples);
+    parallel_for(options.samples, execution, [&](std::size_t i) {
+      distances[i] = std::sqrt(cloud.tree().nearest_to(places[i]).squared_distance);
+    });
   }
-  if (error.count > 0) {
-    error.mean = sum / static_cast<double>(error.count);
-    error.rms = std::sqrt(sum_of_squares / static_cast<double>(error.count));
-  }
-  const Box box = bounding_box(surface);
-  error.diagonal = norm(box.high - box.low);
-  return error;
+  return summarize(std::move(distances), diagonal(surface));
+}
+
+double mean_spacing(const TriangleMesh& surface, std::size_t count) {
+  require_surface(surface);
+  if (count == 0) return 0;
+  return std::sqrt(SurfaceSampler(surface).area() / static_cast<double>(count));
 }
 
 }  // namespace deburr

@@ -3,9 +3,10 @@
 #include "part_mesh.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
+
+#include "unit_circle.hpp"
 
 namespace deburr {
 namespace {
@@ -14,28 +15,6 @@ using Index = std::uint32_t;
 using Ring = std::vector<Index>;  ///< vertices on a circle, counterclockwise seen from above
 
 constexpr Index quarter = circle_points / 4;
-
-/// A direction in the plane.
-struct Direction {
-  double cos = 1;
-  double sin = 0;
-};
-
-/// Unit vectors from 0 to 90 degrees, both included. Halving angles needs only square roots, which,
-/// other than std::sin, have the same bits on every machine.
-std::array<Direction, quarter + 1> quarter_circle() {
-  std::array<Direction, quarter + 1> arc{};
-  arc[quarter] = {0, 1};
-  for (Index step = quarter; step > 1; step /= 2) {
-    for (Index i = 0; i < quarter; i += step) {
-      const double c = arc[i].cos + arc[i + step].cos;
-      const double s = arc[i].sin + arc[i + step].sin;
-      const double length = std::sqrt(c * c + s * s);
-      arc[i + step / 2] = {c / length, s / length};
-    }
-  }
-  return arc;
-}
 
 class PartBuilder {
  public:
@@ -113,14 +92,8 @@ class PartBuilder {
 
   Ring add_circle(const Vec3& centre, double radius, double z) {
     Ring ring;
-    Direction quadrant;
-    for (int k = 0; k < 4; ++k) {
-      for (Index i = 0; i < quarter; ++i) {
-        const double x = quadrant.cos * arc_[i].cos - quadrant.sin * arc_[i].sin;
-        const double y = quadrant.sin * arc_[i].cos + quadrant.cos * arc_[i].sin;
-        ring.push_back(add_vertex({centre.x + radius * x, centre.y + radius * y, z}));
-      }
-      quadrant = {-quadrant.sin, quadrant.cos};
+    for (const auto& [x, y] : unit_circle(circle_points)) {
+      ring.push_back(add_vertex({centre.x + radius * x, centre.y + radius * y, z}));
     }
     return ring;
   }
@@ -147,7 +120,7 @@ class PartBuilder {
     }
   }
 
-  const std::array<Direction, quarter + 1> arc_ = quarter_circle();
+  const std::vector<Direction> arc_ = quarter_circle(quarter);
   TriangleMesh mesh_;
 };
 

@@ -30,7 +30,11 @@ TriangleBvh::TriangleBvh(const TriangleMesh& mesh) {
   nodes_.reserve(4 * (mesh.triangles.size() / leaf_size + 1));
   build(items, 0, count);
   triangles_.reserve(count);
-  for (const Item& item : items) triangles_.push_back(item.triangle);
+  indices_.reserve(count);
+  for (const Item& item : items) {
+    triangles_.push_back(item.triangle);
+    indices_.push_back(item.index);
+  }
 }
 
 void TriangleBvh::build(std::vector<Item>& items, std::uint32_t begin, std::uint32_t end) {
@@ -64,16 +68,49 @@ void TriangleBvh::build(std::vector<Item>& items, std::uint32_t begin, std::uint
 
 double TriangleBvh::squared_distance(const Vec3& p) const {
   double nearest = std::numeric_limits<double>::infinity();
-  search(0, p, nearest);
+  search(
+      0, p, [&](double to_box) { return to_box < nearest; },
+      [&](std::uint32_t i) {
+        nearest = std::min(nearest, deburr::squared_distance(p, triangles_[i]));
+      });
   return nearest;
 }
 
-void TriangleBvh::search(std::uint32_t node, const Vec3& p, double& nearest) const {
+NearestTriangle TriangleBvh::nearest(const Vec3& p) const {
+  NearestTriangle best{0, std::numeric_limits<double>::infinity(), {}};
+  // Boxes at the same distance count, since they may hold a triangle with a smaller index.
+  search(
+      0, p, [&](double to_box) { return to_box <= best.squared_distance; },
+      [&](std::uint32_t i) {
+        const NearestOnTriangle found = nearest_on(p, triangles_[i]);
+        if (found.squared_distance < best.squared_distance ||
+            (found.squared_distance == best.squared_distance && indices_[i] < best.triangle)) {
+          best = {indices_[i], found.squared_distance, p + found.offset};
+        }
+      });
+  return best;
+}
+
+void TriangleBvh::within(const Vec3& p, double squared_radius,
+                         std::vector<std::uint32_t>& found) const {
+  found.clear();
+  search(
+      0, p, [&](double to_box) { return to_box <= squared_radius; },
+      [&](std::uint32_t i) {
+        if (deburr::squared_distance(p, triangles_[i]) <= squared_radius) {
+          found.push_back(indices_[i]);
+        }
+      });
+  std::ranges::sort(found);
+}
+
+/// Visits the triangles of every box whose squared distance `reaches` lets pass, nearer ones first.
+template <typename Reaches, typename Visit>
+void TriangleBvh::search(std::uint32_t node, const Vec3& p, const Reaches& reaches,
+                         const Visit& visit) const {
   const Node& n = nodes_[node];
   if (n.right == 0) {
-    for (std::uint32_t i = n.begin; i < n.end; ++i) {
-      nearest = std::min(nearest, deburr::squared_distance(p, triangles_[i]));
-    }
+    for (std::uint32_t i = n.begin; i < n.end; ++i) visit(i);
     return;
   }
   std::uint32_t near = node + 1;
@@ -84,8 +121,8 @@ void TriangleBvh::search(std::uint32_t node, const Vec3& p, double& nearest) con
     std::swap(near, far);
     std::swap(to_near, to_far);
   }
-  if (to_near < nearest) search(near, p, nearest);
-  if (to_far < nearest) search(far, p, nearest);
+  if (reaches(to_near)) search(near, p, reaches, visit);
+  if (reaches(to_far)) search(far, p, reaches, visit);
 }
 
 }  // namespace deburr

@@ -60,6 +60,32 @@ TEST(ReadMesh, RefusesWhatIsNoMesh) {
   EXPECT_THAT(error_of_mesh(dir, "0 0 0\n"), HasSubstr("not a PLY file"));
 }
 
+TEST(ReadMeshOrCloud, TakesAFileWithFacesAsAMesh) {
+  const TempDir dir;
+  const std::string name = "vertex_indices";
+  put(dir / "m.ply", mesh_file("int", name, "4 0 1 2 3\n", 1));
+  const auto mesh = read_mesh_or_cloud(dir / "m.ply");
+  ASSERT_TRUE(std::holds_alternative<TriangleMesh>(mesh));
+  EXPECT_EQ(std::get<TriangleMesh>(mesh).triangles, read_mesh(dir / "m.ply").triangles);
+  EXPECT_EQ(std::get<TriangleMesh>(mesh).vertices, read_mesh(dir / "m.ply").vertices);
+  put(dir / "none.ply", mesh_file("int", name, "", 0));
+  put(dir / "points.xyz", "0 0 0\n1 0 0\n1 1 0\n0 1 0\n");
+  for (const char* file : {"none.ply", "points.xyz"}) {
+    const auto cloud = read_mesh_or_cloud(dir / file);
+    ASSERT_TRUE(std::holds_alternative<PointCloud>(cloud)) << file;
+    EXPECT_EQ(std::get<PointCloud>(cloud).points, read_mesh(dir / "m.ply").vertices);
+  }
+}
+
+TEST(ReadMeshOrCloud, RefusesBrokenFaces) {
+  const TempDir dir;
+  put(dir / "other.ply", mesh_file("int", "other", "3 0 1 2\n", 1));
+  put(dir / "broken.ply", mesh_file("int", "vertex_indices", "3 0 1 4\n", 1));
+  for (const char* file : {"other.ply", "broken.ply", "missing.ply"}) {
+    EXPECT_THROW((void)read_mesh_or_cloud(dir / file), IoError) << file;
+  }
+}
+
 TEST(WriteMesh, IsReadBackAsItWas) {
   const TempDir dir;
   const TriangleMesh mesh{{{0.1, 1e300, -0.0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 0}}};

@@ -10,6 +10,7 @@
 
 #include "deburr/error.hpp"
 #include "deburr/metrics.hpp"
+#include "support/meshes.hpp"
 #include "support/triangle_oracle.hpp"
 #include "triangle_distance.hpp"
 
@@ -36,35 +37,6 @@ class Uniform {
  private:
   std::mt19937_64 random_;
 };
-
-/// Triangles of many sizes between random vertices, with some doubled and some without area.
-TriangleMesh random_mesh(std::size_t triangles, unsigned seed) {
-  Uniform uniform(seed);
-  TriangleMesh mesh;
-  for (std::uint32_t i = 0; i < triangles; ++i) {
-    const Vec3 a = uniform.point();
-    const double size = std::pow(10, -3 * uniform());
-    const Vec3 b = a + size * uniform.point();
-    Vec3 c = a + size * uniform.point();
-    if (i % 10 == 0) c = a + 0.5 * (b - a);
-    if (i % 17 == 0) c = b;
-    mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
-    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
-    if (i % 13 == 0) mesh.triangles.push_back({3 * i, 3 * i, 3 * i});
-    if (i % 5 == 0) mesh.triangles.push_back(mesh.triangles[i / 2]);
-  }
-  return mesh;
-}
-
-/// The cube [0, 1]^3.
-TriangleMesh cube() {
-  TriangleMesh mesh;
-  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
-                   {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
-  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  return mesh;
-}
 
 double brute_force(const Vec3& p, const TriangleMesh& mesh) {
   oracle::Real best = std::numeric_limits<oracle::Real>::infinity();
@@ -151,7 +123,7 @@ TEST(DistanceToSurface, IsThatDerivedByHandOnACube) {
       {-2, -3, -6},       // beyond the opposite corner: 2, 3, 6
       {1, 1, 1},          // on a corner
   };
-  const std::vector<double> d = distance_to_surface(points, cube());
+  const std::vector<double> d = distance_to_surface(points, cube_mesh());
   const std::vector<double> expected{0.5, 0.25, 0.75, 0, 0.5, 0.5, 3, 7, 0};
   ASSERT_EQ(d.size(), expected.size());
   for (std::size_t i = 0; i < d.size(); ++i) EXPECT_NEAR(d[i], expected[i], 1e-15) << i;
@@ -208,7 +180,7 @@ TEST(DistanceToSurface, IsTheSameForAnyNumberOfThreads) {
 
 TEST(DistanceToSurface, GivesNanWhereAPointIsNotFinite) {
   const std::vector<Vec3> points{{nan, 0, 0}, {0.5, 0.5, 2}, {0, infinity, 0}, {0, 0, -infinity}};
-  EXPECT_THAT(distance_to_surface(points, cube()),
+  EXPECT_THAT(distance_to_surface(points, cube_mesh()),
               ElementsAre(testing::IsNan(), 1, testing::IsNan(), testing::IsNan()));
 }
 
@@ -233,28 +205,42 @@ TEST(DistanceToSurface, RefusesMeshesThatAreNone) {
 TEST(DistanceToSurface, StopsWhenCancelled) {
   const std::vector<Vec3> points(10);
   const Execution execution{.cancelled = [] { return true; }};
-  EXPECT_THROW((void)distance_to_surface(points, cube(), execution), Cancelled);
+  EXPECT_THROW((void)distance_to_surface(points, cube_mesh(), execution), Cancelled);
 }
 
 TEST(CompareToSurface, SummarisesFinitePoints) {
-  TriangleMesh mesh = cube();
+  TriangleMesh mesh = cube_mesh();
   mesh.vertices.push_back({9, 9, 9});  // in no triangle
   const std::vector<Vec3> points{{0.5, 0.5, 4}, {nan, 0, 0}, {-4, 0.5, 0.5}, {0.5, infinity, 0}};
   const SurfaceError error = compare_to_surface(points, mesh);
   EXPECT_EQ(error.count, 2U);
   EXPECT_EQ(error.mean, 3.5);
   EXPECT_EQ(error.rms, std::sqrt(12.5));
+  EXPECT_EQ(error.percentile_95, 4);
   EXPECT_EQ(error.maximum, 4);
   EXPECT_EQ(error.diagonal, std::sqrt(3.0));
+}
+
+// Distances 1 to n in any order: at least 95 % of them are no larger than the percentile, fewer
+// than that are smaller.
+TEST(CompareToSurface, TakesThePercentileByRank) {
+  for (const auto& [n, expected] : {std::pair{1, 1}, {2, 2}, {19, 19}, {20, 19}, {100, 95}}) {
+    std::vector<Vec3> points;
+    for (const std::uint32_t i : random_permutation(static_cast<std::size_t>(n), 3)) {
+      points.push_back({0.5, 0.5, 2.0 + i});
+    }
+    EXPECT_EQ(compare_to_surface(points, cube_mesh()).percentile_95, expected) << n;
+  }
 }
 
 TEST(CompareToSurface, IsZeroWithoutFinitePoints) {
   const std::vector<Vec3> points{{nan, 0, 0}};
   for (const Points given : {Points{}, Points{points}}) {
-    const SurfaceError error = compare_to_surface(given, cube());
+    const SurfaceError error = compare_to_surface(given, cube_mesh());
     EXPECT_EQ(error.count, 0U);
     EXPECT_EQ(error.mean, 0);
     EXPECT_EQ(error.rms, 0);
+    EXPECT_EQ(error.percentile_95, 0);
     EXPECT_EQ(error.maximum, 0);
     EXPECT_EQ(error.diagonal, std::sqrt(3.0));
   }

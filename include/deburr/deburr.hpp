@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "deburr/clean_metrics.hpp"
+#include "deburr/cloud_metrics.hpp"
 #include "deburr/denoise.hpp"
 #include "deburr/error.hpp"
 #include "deburr/execution.hpp"
+#include "deburr/feature_metrics.hpp"
 #include "deburr/features.hpp"
 #include "deburr/io.hpp"
 #include "deburr/mesh.hpp"
@@ -12,11 +15,13 @@
 #include "deburr/neighborhoods.hpp"
 #include "deburr/noise.hpp"
 #include "deburr/normal_filter.hpp"
+#include "deburr/normal_metrics.hpp"
 #include "deburr/normals.hpp"
 #include "deburr/orientation.hpp"
 #include "deburr/outliers.hpp"
 #include "deburr/point_cloud.hpp"
 #include "deburr/position_update.hpp"
+#include "deburr/sharp_features.hpp"
 #include "deburr/synth.hpp"
 #include "deburr/vec3.hpp"
 #include "deburr/version.hpp"

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "deburr/mesh.hpp"
@@ -47,6 +48,12 @@ std::vector<std::string> write_cloud(const std::filesystem::path& path, const Po
 /// @throws IoError  also when there is no face, one with fewer than three corners, or a corner that
 ///                  is not a vertex
 [[nodiscard]] TriangleMesh read_mesh(const std::filesystem::path& path);
+
+/// Reads what a file holds: a mesh if it is PLY with at least one face, otherwise a point cloud.
+/// @param cancelled  asked now and then; true makes the call throw Cancelled
+/// @throws IoError   as read_mesh and read_cloud
+[[nodiscard]] std::variant<TriangleMesh, PointCloud> read_mesh_or_cloud(
+    const std::filesystem::path& path, const std::function<bool()>& cancelled = {});
 
 /// Writes a triangle mesh as binary PLY with double coordinates, whole or not at all.
 /// @throws IoError  if the file cannot be written

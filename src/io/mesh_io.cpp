@@ -10,6 +10,7 @@
 #include "deburr/error.hpp"
 #include "deburr/io.hpp"
 #include "io/atomic_file.hpp"
+#include "io/format.hpp"
 #include "io/ply.hpp"
 #include "io/ply_header.hpp"
 #include "io/source.hpp"
@@ -50,12 +51,8 @@ std::vector<std::uint32_t> checked_corners(const Source& source, const Attribute
   return corners;
 }
 
-}  // namespace
-
-TriangleMesh read_mesh(const std::filesystem::path& path) {
-  const Source source = load(path);
-  if (!is_ply(source.data)) source.fail("not a PLY file");
-  PointCloud cloud = read_ply(source);
+/// The mesh that a PLY file holds.
+TriangleMesh to_mesh(const Source& source, PointCloud cloud) {
   const Attribute* const faces = find_corners(cloud.layout.elements);
   if (faces == nullptr || faces->offsets.size() < 2) source.fail("the file has no faces");
 
@@ -74,6 +71,24 @@ TriangleMesh read_mesh(const std::filesystem::path& path) {
   }
   mesh.vertices = std::move(cloud.points);
   return mesh;
+}
+
+}  // namespace
+
+TriangleMesh read_mesh(const std::filesystem::path& path) {
+  const Source source = load(path);
+  if (!is_ply(source.data)) source.fail("not a PLY file");
+  return to_mesh(source, read_ply(source));
+}
+
+std::variant<TriangleMesh, PointCloud> read_mesh_or_cloud(const std::filesystem::path& path,
+                                                          const std::function<bool()>& cancelled) {
+  const Source source = load(path, cancelled);
+  PointCloud cloud = parse_cloud(source);
+  const bool has_faces = std::ranges::any_of(
+      cloud.layout.elements, [](const Element& e) { return e.name == "face" && e.size > 0; });
+  if (has_faces) return to_mesh(source, std::move(cloud));
+  return cloud;
 }
 
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {

@@ -102,7 +102,9 @@ TEST_F(CliErrors, FilesAreExitCode3) {
   expect_failure({"denoise", "scan.ply", "/proc/out.ply"}, 3, "/proc/out.ply: ");
   expect_failure({"denoise", "scan.ply", "out.ply", "--report", "no/r.json"}, 3, "no/r.json: ");
   expect_failure({"synth", "part", "no/out.ply"}, 3, "no/out.ply: ");
-  expect_failure({"compare", "scan.ply", "--truth", "scan.ply"}, 3, "scan.ply: ");
+  expect_failure({"compare", "scan.ply", "--truth", "broken.ply"}, 3, "broken.ply: ");
+  expect_failure({"compare", "scan.ply", "--truth", "scan.ply", "--clean", "missing.ply"}, 3,
+                 "missing.ply: ");
   std::filesystem::create_directory("folder.ply");
   expect_failure({"denoise", "scan.ply", "folder.ply"}, 3, "folder.ply: is a folder");
 }
@@ -112,6 +114,7 @@ TEST_F(CliErrors, DataWithoutAnAnswerAreExitCode4) {
   write_cloud("empty.ply", {});
   write_mesh("truth.ply", synthesize_part({.points = 1}).truth);
   expect_failure({"compare", "empty.ply", "--truth", "truth.ply"}, 4, "empty.ply: no finite point");
+  expect_failure({"compare", "scan.ply", "--truth", "empty.ply"}, 4, "empty.ply: no finite point");
 }
 
 TEST_F(CliErrors, AFailureLeavesTheOutputAlone) {

@@ -8,6 +8,7 @@
 
 #include "deburr/denoise.hpp"
 #include "deburr/io.hpp"
+#include "deburr/metrics.hpp"
 #include "deburr/synth.hpp"
 #include "deburr/version.hpp"
 #include "run_program.hpp"
@@ -67,6 +68,9 @@ TEST(CliHelp, ShowsTheDefaultsOfTheLibrary) {
   expect(synth, "--points N", SynthOptions{}.points);
   expect(synth, "--noise X", SynthOptions{}.noise);
   expect(synth, "--seed N", SynthOptions{}.seed);
+  const std::string compare = help_of("compare");
+  expect(compare, "--samples N", CoverageOptions{}.samples);
+  expect(compare, "--seed N", CoverageOptions{}.seed);
 }
 
 class CliExamples : public CliTest, public testing::WithParamInterface<std::string> {};
