@@ -25,7 +25,7 @@ namespace {
 constexpr const char* examples =
     "  deburr denoise scan.ply clean.ply\n"
     "  deburr denoise scan.ply clean.ply --report report.json --quiet\n"
-    "  deburr denoise scan.xyz clean.xyz --rounds 5\n"
+    "  deburr denoise scan.xyz clean.xyz --strength 2 --outliers remove\n"
     "  deburr denoise scan.xyz clean.ply --method yadav2018 --rho 0.95 --add label,displacement";
 
 /// What is written for every point besides what came in.
@@ -33,6 +33,7 @@ struct AddedFields {
   bool normals = false;
   bool label = false;
   bool displacement = false;
+  bool outlier = false;
 };
 
 struct DenoiseArgs {
@@ -48,7 +49,7 @@ struct DenoiseArgs {
 AddedFields parse_added_fields(const DenoiseArgs& args) {
   if (args.add.empty()) {
     const bool named = extension(args.output) == ".ply";
-    return {named, named, named};
+    return {named, named, named, named};
   }
   AddedFields add;
   if (args.add == "none") return add;
@@ -59,9 +60,11 @@ AddedFields parse_added_fields(const DenoiseArgs& args) {
       add.label = true;
     } else if (word == "displacement") {
       add.displacement = true;
+    } else if (word == "outlier") {
+      add.outlier = true;
     } else {
       throw std::invalid_argument(fmt::format(
-          "--add takes none, or a list of normals,label,displacement, got {}", args.add));
+          "--add takes none, or a list of normals,label,displacement,outlier, got {}", args.add));
     }
   }
   return add;
@@ -80,7 +83,8 @@ std::vector<std::string> add_fields(DenoiseResult& result, const AddedFields& ad
   std::vector<std::string> names;
   // Only a header can tell what a new column of a text file is.
   TextHeader& header = result.cloud.layout.text.header;
-  const bool new_columns = (add.normals && !had_normals) || add.label || add.displacement;
+  const bool new_columns =
+      (add.normals && !had_normals) || add.label || add.displacement || add.outlier;
   if (new_columns && header == TextHeader::None) header = TextHeader::Plain;
   if (add.normals || had_normals) {
     names.insert(names.end(), {"nx", "ny", "nz"});
@@ -102,10 +106,14 @@ std::vector<std::string> add_fields(DenoiseResult& result, const AddedFields& ad
     }
     set_attribute(result.cloud, names.emplace_back("deburr_displacement"), std::move(values));
   }
+  if (add.outlier) {
+    set_attribute(result.cloud, names.emplace_back("deburr_outlier"), std::move(result.outliers));
+  }
   return names;
 }
 
 void summarize_displacement(const DenoiseResult& result, DenoiseSummary& summary) {
+  if (result.displacement.empty()) return;
   const double largest = std::ranges::max(result.displacement);
   summary.max_displacement = largest;
   if (!(largest > 0)) return;
@@ -191,7 +199,7 @@ void add_denoise_command(CLI::App& program) {
   command
       ->add_option(
           "--add", args->add,
-          "What to write for every point: normals,label,displacement, some of them or none")
+          "What to write for every point: normals,label,displacement,outlier, some or none")
       ->option_text("LIST [all to PLY, none to text]");
   command->add_option("--report", args->report, "Write the summary to this file, as JSON")
       ->option_text("FILE");

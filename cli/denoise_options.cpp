@@ -16,21 +16,34 @@ constexpr Choice<NormalSource> normal_sources[] = {{"auto", NormalSource::Auto},
 constexpr Choice<bool> rebuilds[] = {{"once", false}, {"per-round", true}};
 constexpr Choice<bool> updates[] = {{"in-place", true}, {"simultaneous", false}};
 
+constexpr Choice<OutlierAction> outlier_actions[] = {{"label", OutlierAction::Label},
+                                                     {"remove", OutlierAction::Remove},
+                                                     {"keep", OutlierAction::Keep}};
+
+constexpr const char* auto_group = "Options of --method auto";
 constexpr const char* yadav2018_group = "Options of --method yadav2018";
 
 }  // namespace
 
 void add_denoise_options(CLI::App& command, DenoiseOptions& options) {
   add_choice(command, "--method", options.method, methods, "What takes the noise off");
-  command.add_option("--rounds", "Rounds of the method")
-      ->type_name("INT")
-      ->option_text(
-          fmt::format("N [{}; yadav2018: {}]", options.automatic.rounds, options.yadav2018.rounds));
   add_choice(command, "--normals", options.normals, normal_sources,
              "First normals; auto keeps those of the input where there are some");
 
+  AutoOptions& automatic = options.automatic;
+  const auto of_auto = [](CLI::Option* option) { option->group(auto_group); };
+  of_auto(add_value(command, "--strength", automatic.strength,
+                    "1 to 5: below 3 less of what may be noise is taken off, above 3 more"));
+  of_auto(add_value(command, "--max-move", automatic.max_move,
+                    "No point moves farther, in input units; 0 for 4 times the noise"));
+  of_auto(add_value(command, "--noise", automatic.noise,
+                    "Standard deviation of the noise, in input units; 0 to estimate it"));
+  of_auto(add_choice(command, "--outliers", automatic.outliers, outlier_actions,
+                     "What becomes of points that are no part of the surface"));
+
   Yadav2018Options& yadav = options.yadav2018;
   const auto grouped = [](CLI::Option* option) { option->group(yadav2018_group); };
+  grouped(add_value(command, "--rounds", yadav.rounds, "Rounds of the method"));
   grouped(add_value(command, "--k", yadav.k, "Neighbours for normals and point spacing (dbar)"));
   grouped(add_value(command, "--rho", yadav.rho, "Cosine above which two normals are similar"));
   grouped(add_value(command, "--tau", yadav.tau, "Eigenvalue threshold of both stages"));
@@ -44,16 +57,14 @@ void add_denoise_options(CLI::App& command, DenoiseOptions& options) {
                      "Whether a point sees the new places of those before it"));
 }
 
-void finish_denoise_options(const CLI::App& command, DenoiseOptions& options) {
+void finish_denoise_options(const CLI::App& command, const DenoiseOptions& options) {
   const bool is_yadav2018 = options.method == Method::Yadav2018;
+  const char* const foreign = is_yadav2018 ? auto_group : yadav2018_group;
   for (const CLI::Option* option : command.get_options()) {
-    if (!is_yadav2018 && option->get_group() == yadav2018_group && option->count() > 0) {
-      throw std::invalid_argument(option->get_name() + " belongs to --method yadav2018");
+    if (option->get_group() == foreign && option->count() > 0) {
+      throw std::invalid_argument(option->get_name() + " belongs to --method " +
+                                  (is_yadav2018 ? "auto" : "yadav2018"));
     }
-  }
-  const CLI::Option* rounds = command.get_option("--rounds");
-  if (rounds->count() > 0) {
-    (is_yadav2018 ? options.yadav2018.rounds : options.automatic.rounds) = rounds->as<int>();
   }
 }
 
@@ -74,14 +85,10 @@ nlohmann::ordered_json to_json(const DenoiseOptions& options) {
                  {"update", word_for(updates, o.in_place)}});
   } else {
     const AutoOptions& o = options.automatic;
-    json.update({{"rounds", o.rounds},
-                 {"normal_neighbors", o.normal_neighbors},
-                 {"radius", o.radius},
-                 {"max_neighbors", o.max_neighbors},
-                 {"position_scale", o.position_scale},
-                 {"normal_scale", o.normal_scale},
-                 {"step", o.step},
-                 {"max_move", o.max_move}});
+    json.update({{"strength", o.strength},
+                 {"max_move", o.max_move},
+                 {"noise", o.noise},
+                 {"outliers", word_for(outlier_actions, o.outliers)}});
   }
   return json;
 }

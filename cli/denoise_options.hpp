@@ -12,9 +12,9 @@ namespace deburr::cli {
 /// Adds the options of the method to the command; their defaults are those in `options`.
 void add_denoise_options(CLI::App& command, DenoiseOptions& options);
 
-/// After parsing: applies --rounds to the chosen method, and refuses what belongs to the other.
+/// After parsing: refuses what belongs to the other method.
 /// @throws std::invalid_argument  naming the option
-void finish_denoise_options(const CLI::App& command, DenoiseOptions& options);
+void finish_denoise_options(const CLI::App& command, const DenoiseOptions& options);
 
 /// Every option that is in effect, defaults included.
 [[nodiscard]] nlohmann::ordered_json to_json(const DenoiseOptions& options);

@@ -33,6 +33,7 @@ nlohmann::ordered_json to_json(const DenoiseSummary& summary) {
           {"points", report.points},
           {"non_finite", report.non_finite},
           {"duplicates", report.duplicates},
+          {"outliers", report.outliers},
           {"spacing", report.spacing},
           {"noise", report.noise},
           {"max_move", report.max_move},
@@ -48,11 +49,17 @@ nlohmann::ordered_json to_json(const DenoiseSummary& summary) {
 
 std::string to_text(const DenoiseSummary& summary) {
   const Report& report = summary.report;
-  std::string text = fmt::format("{}: {} points, spacing {:.6g}, estimated noise {:.6g}\n",
-                                 summary.input, report.points, report.spacing, report.noise);
+  std::string text = fmt::format("{}: {} points, spacing {:.6g}, noise {:.6g}\n", summary.input,
+                                 report.points, report.spacing, report.noise);
   if (report.non_finite + report.duplicates > 0) {
     text += fmt::format("  {} not finite, {} at the place of an earlier one\n", report.non_finite,
                         report.duplicates);
+  }
+  if (report.outliers > 0) {
+    text += fmt::format("  {} outliers {}\n", report.outliers,
+                        summary.options.automatic.outliers == OutlierAction::Remove
+                            ? "removed"
+                            : "labelled, not moved");
   }
   text += fmt::format("  moved by {:.6g} (rms), at most {:.6g} (bound {:.6g})\n",
                       summary.rms_displacement, summary.max_displacement, report.max_move);

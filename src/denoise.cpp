@@ -4,102 +4,107 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
+#include "automatic.hpp"
 #include "deburr/error.hpp"
 #include "deburr/noise.hpp"
-#include "deburr/orientation.hpp"
+#include "deburr/outliers.hpp"
+#include "keep_points.hpp"
 #include "parallel.hpp"
+#include "published.hpp"
 #include "require.hpp"
-#include "schedule.hpp"
-#include "stage_clock.hpp"
-#include "unit.hpp"
-#include "working_set.hpp"
 
 namespace deburr {
 namespace {
 
-/// Neighbours in the mean distance that lengths of the default schedule are measured in.
+/// Neighbours in the mean distance that the default method reports as the spacing.
 constexpr std::size_t spacing_neighbors = 12;
 
-/// Share of the progress that is told before the rounds begin.
-constexpr double prepared = 0.2;
+/// Movement in standard deviations of the noise: more is hardly ever noise.
+constexpr double most_deviations = 4;
 
-/// The points on their way, in the coordinates of the working set.
-struct State {
+/// Noise that the default method works with at least, in spacings: rounding must not pass for a
+/// surface.
+constexpr double least_noise = 0.01;
+
+/// What is common to both methods: finds spacing and noise.
+void measure_spacing(Points points, std::size_t k, const WorkingSet& set, Report& report,
+                     const Execution& execution) {
+  const Neighborhoods nearest =
+      find_neighbors(points, {.max_count = k}, sub_execution(execution, "spacing", 0, 0.8));
+  const double spacing =
+      mean_neighbor_distance(points, nearest, sub_execution(execution, "spacing", 0.8, 1));
+  if (!std::isfinite(spacing)) {
+    throw DataError("the distances between the points are larger than a double can hold");
+  }
+  report.spacing = set.length(spacing);
+}
+
+void run_yadav2018(const Yadav2018Options& options, const WorkingSet& set, bool keep_normals,
+                   State& state, Report& report, StageClock& clock, const Execution& execution) {
+  const double spacing = clock.time("spacing and noise", [&] {
+    measure_spacing(set.points, options.k, set, report,
+                    sub_execution(execution, "spacing and noise", 0.02, 0.06));
+    report.noise =
+        set.length(estimate_noise(set.points, sub_execution(execution, "noise", 0.06, 0.1)));
+    return std::scalbn(report.spacing, -set.exponent);
+  });
+  constexpr std::size_t fewest_points = 4;
+  if (set.points.size() - set.duplicates < fewest_points || !(spacing > 0)) return;
+  report.kept_normals = keep_normals;
+  const Schedule schedule = make_schedule(options, spacing);
+  report.max_move = set.length(schedule.update.max_move);
+  run_published(options, schedule, set, keep_normals, state, report, clock,
+                sub_execution(execution, "rounds", 0.1, 1));
+}
+
+/// The default method, on what is left when outliers are taken out.
+void run_automatic(const AutoOptions& options, const WorkingSet& set, bool keep_normals,
+                   State& state, std::vector<std::uint8_t>& outliers, Report& report,
+                   StageClock& clock, const Execution& execution) {
+  if (options.outliers != OutlierAction::Keep) {
+    outliers = clock.time("outliers", [&] {
+      return find_outliers(set.points, {}, sub_execution(execution, "outliers", 0.02, 0.15));
+    });
+  }
+  std::vector<std::uint32_t> kept;
   std::vector<Vec3> points;
   std::vector<Vec3> normals;
-  FeatureField features;
-};
-
-RoundReport measure(Points before, Points after, const WorkingSet& set) {
-  double squares = 0;
-  double largest = 0;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    const double squared = squared_norm(after[i] - before[i]);
-    squares += squared;
-    largest = std::max(largest, squared);
+  for (std::uint32_t i = 0; i < set.points.size(); ++i) {
+    if (outliers[i] != 0) continue;
+    kept.push_back(i);
+    points.push_back(set.points[i]);
+    if (keep_normals) normals.push_back(set.normals[i]);
   }
-  const auto count = static_cast<double>(std::max<std::size_t>(1, before.size()));
-  return {set.length(std::sqrt(squares / count)), set.length(std::sqrt(largest))};
-}
-
-std::vector<Vec3> first_normals(const WorkingSet& set, const DenoiseOptions& options, bool keep,
-                                const Execution& execution) {
-  const bool published = options.method == Method::Yadav2018;
-  if (keep && published) return set.normals;
-  const std::size_t k = published ? options.yadav2018.k : options.automatic.normal_neighbors;
-  const Neighborhoods nearest =
-      find_neighbors(set.points, {.max_count = k}, sub_execution(execution, "normals", 0, 0.5));
-  std::vector<Vec3> unoriented = set.normals;
-  if (!keep || std::ranges::any_of(unoriented, is_zero)) {
-    const std::vector<Vec3> estimated =
-        estimate_normals(set.points, nearest, sub_execution(execution, "normals", 0.5, 0.6));
-    unoriented.resize(estimated.size());
-    for (std::size_t i = 0; i < estimated.size(); ++i) {
-      if (!keep || is_zero(unoriented[i])) unoriented[i] = estimated[i];
-    }
-  }
-  return orient_normals(set.points, unoriented, nearest, execution);
-}
-
-/// The rounds: filter the normals, classify the points, move them.
-void run(const Schedule& schedule, const WorkingSet& set, State& state, Report& report,
-         StageClock& clock, const Execution& execution) {
-  Neighborhoods neighborhoods;
-  for (int round = 0; round < schedule.rounds; ++round) {
-    const Execution part =
-        sub_execution(execution, "rounds", prepared + (1 - prepared) * round / schedule.rounds,
-                      prepared + (1 - prepared) * (round + 1) / schedule.rounds);
-    const Execution quiet{.threads = part.threads, .cancelled = part.cancelled};
-    if (round == 0 || schedule.rebuild) {
-      neighborhoods = clock.time("neighbourhoods", [&] {
-        return find_neighbors(state.points, schedule.neighbors, quiet);
-      });
-    }
-    if (schedule.refit) {
-      state.normals = clock.time("normal refit", [&] {
-        return refit_normals(state.points, state.normals, neighborhoods, *schedule.refit, quiet);
-      });
-    }
-    state.normals = clock.time("normal filter", [&] {
-      return filter_normals(state.normals, neighborhoods, schedule.normal_filter,
-                            round == 0 ? schedule.voteless_at_first : Voteless::Keep, quiet);
-    });
-    std::vector<Vec3> moved = state.points;
-    state.features = clock.time("features and positions", [&] {
-      return schedule.in_place ? sweep_in_place(set.points, moved, state.normals, neighborhoods,
-                                                schedule.features, schedule.update, set.sweep, part)
-                               : sweep_at_once(set.points, moved, state.normals, neighborhoods,
-                                               schedule.features, schedule.update, part);
-    });
-    report.rounds.push_back(measure(state.points, moved, set));
-    state.points = std::move(moved);
+  const NoiseEstimate estimate = clock.time("spacing and noise", [&] {
+    measure_spacing(points, spacing_neighbors, set, report,
+                    sub_execution(execution, "spacing and noise", 0.15, 0.2));
+    return measure_noise(points, sub_execution(execution, "noise", 0.2, 0.25));
+  });
+  const double found =
+      options.noise > 0 ? std::scalbn(options.noise, -set.exponent) : estimate.sigma;
+  const double noise = found * std::pow(2.0, 0.5 * (options.strength - 3));
+  const double max_move =
+      options.max_move > 0 ? std::scalbn(options.max_move, -set.exponent) : most_deviations * noise;
+  report.noise = set.length(noise);
+  report.max_move = set.length(max_move);
+  if (!(estimate.spacing > 0)) return;
+  report.kept_normals = keep_normals;
+  AutomaticResult result =
+      denoise_automatically({points, normals, std::max(noise, least_noise * estimate.spacing),
+                             estimate.spacing, max_move},
+                            clock, sub_execution(execution, "denoise", 0.25, 1));
+  for (std::size_t at = 0; at < kept.size(); ++at) {
+    state.points[kept[at]] = result.points[at];
+    state.normals[kept[at]] = result.normals[at];
+    state.labels[kept[at]] = result.labels[at];
   }
 }
 
 /// Puts what was found into the order of the cloud.
-void fill_result(const WorkingSet& set, const State& state, DenoiseResult& result) {
+void fill_result(const WorkingSet& set, const State& state, std::span<const std::uint8_t> outliers,
+                 DenoiseResult& result) {
   PointCloud& cloud = result.cloud;
   cloud.normals.resize(cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -108,7 +113,8 @@ void fill_result(const WorkingSet& set, const State& state, DenoiseResult& resul
     const Vec3 before = cloud.points[i];
     cloud.points[i] = set.moved(before, set.points[slot], state.points[slot]);
     cloud.normals[i] = state.normals[slot];
-    result.labels[i] = state.features.label[slot];
+    result.labels[i] = state.labels[slot];
+    result.outliers[i] = outliers[slot];
     if (cloud.points[i] == before) continue;
     // In local coordinates, where no square overflows.
     result.displacement[i] = set.length(norm(state.points[slot] - set.points[slot]));
@@ -127,12 +133,13 @@ DenoiseResult denoise(const PointCloud& cloud, const DenoiseOptions& options,
     throw DataError("normals are to be kept, but the points have none");
   }
   const bool published = options.method == Method::Yadav2018;
-  const std::size_t spacing_k = published ? options.yadav2018.k : spacing_neighbors;
+  const bool keep_normals = has_normals && options.normals != NormalSource::Estimate;
 
   DenoiseResult result;
   result.cloud = cloud;
   result.labels.assign(cloud.size(), Feature::Isolated);
   result.displacement.assign(cloud.size(), 0.0);
+  result.outliers.assign(cloud.size(), 0);
   Report& report = result.report;
   report.points = cloud.size();
   StageClock clock(execution);
@@ -147,38 +154,19 @@ DenoiseResult denoise(const PointCloud& cloud, const DenoiseOptions& options,
   report.duplicates = set.duplicates;
   State state{set.points, set.normals, {}};
   state.normals.resize(set.points.size());
-  state.features = {std::vector<Feature>(set.points.size(), Feature::Isolated),
-                    std::vector<Vec3>(set.points.size())};
-
-  const auto [spacing, noise] = clock.time("spacing and noise", [&] {
-    const auto part = [&](double from, double to) {
-      return sub_execution(execution, "spacing and noise", from, to);
-    };
-    const Neighborhoods nearest =
-        find_neighbors(set.points, {.max_count = spacing_k}, part(0.02, 0.05));
-    const double mean = mean_neighbor_distance(set.points, nearest, part(0.05, 0.06));
-    return std::pair(mean, estimate_noise(set.points, part(0.06, 0.1)));
-  });
-  if (!std::isfinite(spacing)) {
-    throw DataError("the distances between the points are larger than a double can hold");
+  state.labels.assign(set.points.size(), Feature::Isolated);
+  std::vector<std::uint8_t> outliers(set.points.size(), 0);
+  if (published) {
+    run_yadav2018(options.yadav2018, set, keep_normals, state, report, clock, execution);
+  } else {
+    run_automatic(options.automatic, set, keep_normals, state, outliers, report, clock, execution);
   }
-  report.spacing = set.length(spacing);
-  report.noise = set.length(noise);
-
-  constexpr std::size_t fewest_points = 4;
-  if (set.points.size() - (published ? set.duplicates : 0) >= fewest_points && spacing > 0) {
-    report.kept_normals = has_normals && options.normals != NormalSource::Estimate;
-    state.normals = clock.time("first normals", [&] {
-      return first_normals(set, options, report.kept_normals,
-                           sub_execution(execution, "normals", 0.1, prepared));
-    });
-    const Schedule schedule = published ? make_schedule(options.yadav2018, spacing)
-                                        : make_schedule(options.automatic, spacing, noise);
-    report.max_move = set.length(schedule.update.max_move);
-    run(schedule, set, state, report, clock, execution);
-  }
-  fill_result(set, state, result);
+  fill_result(set, state, outliers, result);
   for (const Feature label : result.labels) ++report.labels[static_cast<std::size_t>(label)];
+  report.outliers = static_cast<std::size_t>(std::ranges::count(result.outliers, 1));
+  if (options.automatic.outliers == OutlierAction::Remove && report.outliers > 0) {
+    remove_outliers(result);
+  }
   report.stages = std::move(clock).times();
   return result;
 }

@@ -26,7 +26,7 @@ struct Frame {
 Frame frame_along(const Vec3& origin, const Vec3& w);
 
 /// A height over a plane: z = c0 + c1 x + c2 y + c3 x^2 + c4 xy + c5 y^2.
-struct Quadric {
+struct HeightQuadric {
   std::array<double, 6> c{};
 
   [[nodiscard]] double height(double x, double y) const {
@@ -38,7 +38,7 @@ struct Quadric {
 
 /// A quadric of least squares and how far the points are from it.
 struct QuadricFit {
-  Quadric surface;
+  HeightQuadric surface;
   std::size_t count = 0;  ///< points
   std::size_t rank = 0;   ///< coefficients that the points determine, 0 to 6; the others are 0
   double squares = 0;     ///< sum of the squared differences in height

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "schedule.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "require.hpp"
@@ -23,17 +22,10 @@ void validate(const Yadav2018Options& o) {
 }
 
 void validate(const AutoOptions& o) {
-  const auto positive = [](double v, const char* name) {
-    require(v > 0 && std::isfinite(v), name, "finite and > 0", v);
-  };
-  require(o.rounds >= 0, "automatic.rounds", ">= 0", o.rounds);
-  require(o.normal_neighbors >= 3, "automatic.normal_neighbors", ">= 3", o.normal_neighbors);
-  positive(o.radius, "automatic.radius");
-  require(o.max_neighbors >= 3, "automatic.max_neighbors", ">= 3", o.max_neighbors);
-  positive(o.position_scale, "automatic.position_scale");
-  positive(o.normal_scale, "automatic.normal_scale");
-  require(o.step > 0 && o.step <= 1, "automatic.step", "in (0, 1]", o.step);
-  positive(o.max_move, "automatic.max_move");
+  require(o.strength >= 1 && o.strength <= 5, "automatic.strength", "in [1, 5]", o.strength);
+  require(o.noise >= 0 && std::isfinite(o.noise), "automatic.noise", "finite and >= 0", o.noise);
+  require(o.max_move >= 0 && std::isfinite(o.max_move), "automatic.max_move", "finite and >= 0",
+          o.max_move);
 }
 
 }  // namespace
@@ -68,19 +60,6 @@ Schedule make_schedule(const Yadav2018Options& o, double spacing) {
   s.rebuild = o.rebuild;
   s.in_place = o.in_place;
   s.voteless_at_first = Voteless::Zero;
-  return s;
-}
-
-Schedule make_schedule(const AutoOptions& o, double spacing, double noise) {
-  Schedule s;
-  s.rounds = o.rounds;
-  s.neighbors = {.max_count = o.max_neighbors, .radius = o.radius * spacing};
-  s.refit = NormalRefitOptions{.position_scale = o.position_scale * spacing,
-                               .normal_scale = o.normal_scale};
-  s.update.position_scale = o.position_scale * spacing;
-  s.update.normal_scale = o.normal_scale;
-  s.update.step = o.step;
-  s.update.max_move = o.max_move * noise;
   return s;
 }
 

@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-
 #include "deburr/denoise.hpp"
 #include "deburr/features.hpp"
 #include "deburr/neighborhoods.hpp"
 #include "deburr/normal_filter.hpp"
-#include "deburr/normals.hpp"
 #include "deburr/position_update.hpp"
 
 namespace deburr {
@@ -17,7 +14,6 @@ namespace deburr {
 struct Schedule {
   int rounds = 0;
   NeighborOptions neighbors;
-  std::optional<NormalRefitOptions> refit;
   NormalFilterOptions normal_filter;
   FeatureOptions features;
   PositionUpdateOptions update;
@@ -30,6 +26,5 @@ struct Schedule {
 void validate(const DenoiseOptions& options);
 
 Schedule make_schedule(const Yadav2018Options& options, double spacing);
-Schedule make_schedule(const AutoOptions& options, double spacing, double noise);
 
 }  // namespace deburr

@@ -34,7 +34,7 @@ double whole_variance(double variance, double bound) {
 }
 
 /// The frame at the foot of `place` on a quadric over `frame`, along the normal there.
-Frame foot(const Frame& frame, const Quadric& surface, const Vec3& place) {
+Frame foot(const Frame& frame, const HeightQuadric& surface, const Vec3& place) {
   const Vec3 at = frame.local(place);
   const Vec3 normal =
       frame.w - surface.slope_x(at.x, at.y) * frame.u - surface.slope_y(at.x, at.y) * frame.v;

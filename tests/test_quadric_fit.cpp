@@ -10,7 +10,7 @@
 namespace deburr {
 namespace {
 
-constexpr Quadric truth{{0.3, -0.2, 0.5, 1.5, -0.7, 0.9}};
+constexpr HeightQuadric truth{{0.3, -0.2, 0.5, 1.5, -0.7, 0.9}};
 
 std::vector<Vec3> on_quadric(std::vector<Vec3> points) {
   for (Vec3& p : points) p.z = truth.height(p.x, p.y);
@@ -76,7 +76,7 @@ TEST(FitQuadric, GivesTheVarianceWithoutBias) {
   EXPECT_NEAR(sum / fits, 0.01, 0.0005);
 }
 
-TEST(Quadric, HasTheSlopesOfItsHeight) {
+TEST(HeightQuadric, HasTheSlopesOfItsHeight) {
   constexpr double h = 1e-6;
   EXPECT_NEAR(truth.slope_x(0.4, -0.3),
               (truth.height(0.4 + h, -0.3) - truth.height(0.4 - h, -0.3)) / (2 * h), 1e-8);

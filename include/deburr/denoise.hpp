@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -14,7 +15,7 @@
 namespace deburr {
 
 enum class Method {
-  Auto,      ///< the default schedule: independent of unit, point order and normal signs
+  Auto,      ///< the default method: finds every parameter, whatever unit and order
   Yadav2018  ///< the published program, exactly, its known flaws included
 };
 
@@ -40,17 +41,21 @@ struct Yadav2018Options {
   bool in_place = true;  ///< a point sees the new positions of those before it
 };
 
-/// Parameters of the default schedule. Lengths are in dbar, the mean distance of a point to its 12
-/// nearest other points, so that no result depends on the unit of the input.
+/// What becomes of outliers: points and small groups that are no part of the surface.
+enum class OutlierAction {
+  Label,   ///< they stay, unmoved, and are marked in DenoiseResult::outliers
+  Remove,  ///< they are left out of the result
+  Keep     ///< none are looked for: every point counts as a part of the surface
+};
+
+/// Parameters of the default method. It needs none of them: what it works with is estimated.
 struct AutoOptions {
-  int rounds = 10;                    ///< >= 0
-  std::size_t normal_neighbors = 30;  ///< for the first normals and their orientation, >= 3
-  double radius = 3.5;                ///< of the neighbourhoods, in dbar, > 0
-  std::size_t max_neighbors = 256;    ///< the nearest so many of those within the radius, >= 3
-  double position_scale = 1.5;        ///< of the weights, in dbar, > 0
-  double normal_scale = 0.3;          ///< of the weights, > 0
-  double step = 0.5;                  ///< of surface points, in (0, 1]
-  double max_move = 4;                ///< largest distance from the original, in sigma, > 0
+  /// How much of what could be noise is taken for noise, 1 to 5: each step makes the noise that is
+  /// assumed larger by a factor of sqrt(2), 3 is the estimate.
+  int strength = 3;
+  double noise = 0;     ///< standard deviation of the noise, input units, >= 0; 0 to estimate it
+  double max_move = 0;  ///< no point moves farther, input units, >= 0; 0 for 4 times the noise
+  OutlierAction outliers = OutlierAction::Label;
 };
 
 /// What denoise() does.
@@ -78,30 +83,38 @@ struct Report {
   std::size_t points = 0;
   std::size_t non_finite = 0;  ///< points with a NaN or infinite coordinate; written back as is
   std::size_t duplicates = 0;  ///< points at the very place of an earlier one
+  std::size_t outliers = 0;    ///< points found to be no part of the surface
   double spacing = 0;          ///< dbar, input units
-  double noise = 0;            ///< estimated standard deviation of the noise, input units
+  double noise = 0;            ///< standard deviation of the noise as assumed, input units
   double max_move = 0;         ///< the bound on the movement that was used, input units
   bool kept_normals = false;   ///< whether the first normals came from the cloud
   std::array<std::size_t, 4> labels{};  ///< points per Feature, in its order
-  std::vector<RoundReport> rounds;
+  std::vector<RoundReport> rounds;      ///< of Method::Yadav2018
   std::vector<StageTime> stages;
 };
 
-/// The clean cloud and what is known of it. Arrays are in the order of the input points.
+/// The clean cloud and what is known of it. Arrays are in the order of the input points; those that
+/// OutlierAction::Remove takes out are in none of them.
 struct DenoiseResult {
   PointCloud cloud;                  ///< moved points with their normals; attributes as they came
   std::vector<Feature> labels;       ///< what each point lies on
   std::vector<double> displacement;  ///< distance that each point moved, input units
+  /// 1 for each outlier, 0 for any other point; all 0 by Method::Yadav2018.
+  std::vector<std::uint8_t> outliers;
   Report report;
 };
 
 /// Takes the noise off a point cloud and keeps its edges and corners.
 ///
-/// Runs rounds of three stages: filter the normals, label each point surface, edge or corner, move
-/// it to agree with the normals around it, never farther than a bound. Normals of the cloud that
-/// are zero or not finite are estimated (Method::Yadav2018 leaves such points alone). Points that
-/// are not finite, or have nothing near them to be compared with, stay as they are to the last bit
-/// and are labelled isolated. A cloud of fewer than 4 distinct points comes back unchanged.
+/// Method::Auto estimates the noise, fits the surface around every place at the largest scale that
+/// the noise and the surface allow, lets smooth sheets end where they meet, and moves each point
+/// onto them, never farther than a bound. Method::Yadav2018 runs rounds of three stages: filter the
+/// normals, label each point surface, edge or corner, move it to agree with the normals around it.
+///
+/// Normals of the cloud that are zero or not finite are estimated (Method::Yadav2018 leaves such
+/// points alone). Points that are not finite, or have nothing near them to be compared with, stay
+/// as they are to the last bit and are labelled isolated, and so are outliers. A cloud of fewer
+/// than 16 distinct points (4 by Method::Yadav2018) comes back unchanged.
 ///
 /// Source: Yadav, Reitebuch, Skrodzki, Zimmermann, Polthier, Constraint-based point set denoising
 /// using normal voting tensor and restricted quadratic error metrics, Computers & Graphics 74,

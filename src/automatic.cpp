@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include "automatic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "crease.hpp"
+#include "kd_tree.hpp"
+#include "parallel.hpp"
+#include "pilot.hpp"
+#include "scale_choice.hpp"
+#include "sheet_blend.hpp"
+#include "sheet_fit.hpp"
+#include "surface_nodes.hpp"
+#include "unit.hpp"
+
+namespace deburr {
+namespace {
+
+/// Points are merged into nodes where the noise is so many spacings, in cells of so many standard
+/// deviations of it.
+constexpr double dense = 1.3;
+constexpr double node_cell = 1.0;
+
+/// Side of a coarse cell, in spacings of the nodes, but at least so many standard deviations.
+constexpr double coarse_cell = 3;
+constexpr double coarse_noise = 1;
+
+constexpr std::size_t blended = 100;  ///< nodes around a point that its landing is made of
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Nodes at two resolutions with their trees, for one pass of fits.
+struct Levels {
+  SurfaceNodes fine;
+  SurfaceNodes coarse;
+  KdTree fine_tree;
+  KdTree coarse_tree;
+  double spacing;  ///< of the fine nodes
+
+  Levels(SurfaceNodes nodes, const AutomaticInput& input, double node_spacing,
+         const Execution& execution)
+      : fine(std::move(nodes)),
+        coarse(merge_into_cells(fine.measured, fine.places, fine.normals, fine.weights,
+                                std::max(coarse_cell * node_spacing, coarse_noise * input.noise),
+                                execution)),
+        fine_tree(fine.places, execution),
+        coarse_tree(coarse.places, execution),
+        spacing(node_spacing) {}
+
+  [[nodiscard]] double points_per_coarse_node() const {
+    return static_cast<double>(fine.size()) / static_cast<double>(coarse.size());
+  }
+};
+
+Levels make_levels(const AutomaticInput& input, Points places, Normals normals,
+                   const Execution& execution) {
+  const bool merge = input.noise > dense * input.spacing;
+  SurfaceNodes nodes = merge ? merge_into_cells(input.points, places, normals, {},
+                                                node_cell * input.noise, execution)
+                             : nodes_of_points(input.points, places, normals);
+  const double per_node =
+      static_cast<double>(input.points.size()) / static_cast<double>(nodes.size());
+  return {std::move(nodes), input, input.spacing * std::sqrt(per_node), execution};
+}
+
+/// Lands every point on the sheets around it.
+void land(const AutomaticInput& input, const Levels& levels, std::span<const Sheet> sheets,
+          bool creases, AutomaticResult& result, const Execution& execution) {
+  const BlendScales scales{input.noise, levels.spacing};
+  const CreaseFinder finder(sheets, scales, input.spacing);
+  std::vector<Vec3> places(input.points.size());
+  std::vector<Vec3> normals(input.points.size());
+  parallel_blocks(input.points.size(), execution, [&](std::size_t begin, std::size_t end) {
+    std::vector<Found> near;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t own = levels.fine.of[i];
+      places[i] = creases ? input.points[i] : result.points[i];
+      normals[i] = result.normals[i];
+      if (creases) result.labels[i] = Feature::Isolated;
+      levels.fine_tree.nearest_to(result.points[i], blended, infinity, near);
+      const Blend blend =
+          blend_sheets(input.points[i], result.points[i], own, near, sheets, scales);
+      if (!blend.valid || !is_finite(blend.foot)) continue;
+      Landing landing{blend.foot, blend.normal};
+      if (creases) {
+        landing = finder.land(input.points[i], blend, own, near);
+        result.labels[i] = landing.label;
+      }
+      const Vec3 move = landing.place - input.points[i];
+      const double distance = norm(move);
+      places[i] = distance > input.max_move ? input.points[i] + (input.max_move / distance) * move
+                                            : landing.place;
+      normals[i] = landing.normal;
+    }
+  });
+  result.points = std::move(places);
+  result.normals = std::move(normals);
+}
+
+}  // namespace
+
+AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& clock,
+                                      const Execution& execution) {
+  const auto part = [&](std::string_view stage, double from, double to) {
+    return sub_execution(execution, stage, from, to);
+  };
+  AutomaticResult result;
+  result.labels.assign(input.points.size(), Feature::Isolated);
+  clock.time("pilot", [&] {
+    Pilot pilot = find_pilot(input, part("pilot", 0, 0.4));
+    result.points = std::move(pilot.places);
+    result.normals = std::move(pilot.normals);
+    return 0;
+  });
+
+  // A first pass tells how fits of every size fare, the second takes the best of them.
+  const Levels first = clock.time("fits", [&] {
+    return make_levels(input, result.points, result.normals, part("fits", 0.4, 0.42));
+  });
+  const SheetFitter surveyor(first.fine, first.fine_tree, first.coarse, first.coarse_tree,
+                             input.noise, first.spacing);
+  std::vector<Sheet> sheets(first.fine.size());
+  std::vector<ScaleCurve> curves(first.fine.size());
+  clock.time("fits", [&] {
+    parallel_blocks(
+        sheets.size(), part("fits", 0.42, 0.6), [&](std::size_t begin, std::size_t end) {
+          SheetFitter::Scratch scratch;
+          for (std::size_t i = begin; i < end; ++i) {
+            sheets[i] = surveyor.survey(static_cast<std::uint32_t>(i), scratch, curves[i]);
+          }
+        });
+    return 0;
+  });
+  clock.time("landing", [&] {
+    land(input, first, sheets, false, result, part("landing", 0.6, 0.65));
+    return 0;
+  });
+
+  const Levels second = clock.time("fits", [&] {
+    return make_levels(input, result.points, result.normals, part("fits", 0.65, 0.67));
+  });
+  clock.time("fits", [&] {
+    const std::vector<ScaleChoice> choices =
+        choose_scales(first.fine_tree, sheets, curves, second.fine.places, second.fine.normals,
+                      input.noise, first.points_per_coarse_node(), part("fits", 0.67, 0.72));
+    const SheetFitter fitter(second.fine, second.fine_tree, second.coarse, second.coarse_tree,
+                             input.noise, second.spacing);
+    sheets.assign(second.fine.size(), {});
+    parallel_blocks(sheets.size(), part("fits", 0.72, 0.9),
+                    [&](std::size_t begin, std::size_t end) {
+                      SheetFitter::Scratch scratch;
+                      for (std::size_t i = begin; i < end; ++i) {
+                        sheets[i] = fitter.fit(static_cast<std::uint32_t>(i), scratch, choices[i]);
+                      }
+                    });
+    return 0;
+  });
+  clock.time("landing", [&] {
+    land(input, second, sheets, true, result, part("landing", 0.9, 1));
+    return 0;
+  });
+  return result;
+}
+
+}  // namespace deburr

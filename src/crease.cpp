@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include "crease.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "sym3.hpp"
+#include "unit.hpp"
+
+namespace deburr {
+namespace {
+
+constexpr double same_sheet = 0.9;     ///< cosine between normals of one sheet
+constexpr double other_sheet = 0.866;  ///< 30 degrees: below, two sheets meet in an edge
+constexpr double opposite = -0.9;      ///< the far side of a thin part ends no sheet
+constexpr std::size_t fewest_members = 3;
+constexpr std::size_t most_planes = 2;  ///< besides the own one: three make a corner
+constexpr double clear_majority = 0.5;  ///< of the members, on one side of a plane
+constexpr double least_determinant = 0.1;
+
+/// Points of an edge are those within so many spacings of it; of a corner likewise.
+constexpr double edge_width = 0.8;
+constexpr double corner_width = 1.4;
+
+/// The nearest point to `at` on the line where plane `normal` through `at` meets another plane.
+std::optional<Vec3> onto_line(const Vec3& at, const Vec3& normal, const Vec3& other,
+                              double distance) {
+  const Vec3 across = other - dot(other, normal) * normal;
+  const double square = squared_norm(across);
+  if (!(square > 1 - other_sheet * other_sheet)) return std::nullopt;
+  return at - (distance / square) * across;
+}
+
+std::optional<Vec3> intersection(const Vec3& n1, double d1, const Vec3& n2, double d2,
+                                 const Vec3& n3, double d3) {
+  Eigen::Matrix3d m;
+  m << to_eigen(n1).transpose(), to_eigen(n2).transpose(), to_eigen(n3).transpose();
+  if (std::abs(m.determinant()) < least_determinant) return std::nullopt;
+  return to_vec3(m.inverse() * Eigen::Vector3d(d1, d2, d3));
+}
+
+}  // namespace
+
+double CreaseFinder::side_of(const Plane& plane, std::span<const Vec3> members) const {
+  const double clear = 0.25 * scales_.spacing;
+  double sum = 0;
+  double count = 0;
+  for (const Vec3& p : members) {
+    const double d = plane.distance(p);
+    if (std::abs(d) < clear) continue;
+    sum += d > 0 ? 1 : -1;
+    count += 1;
+  }
+  if (count < static_cast<double>(fewest_members)) return 0;
+  if (std::abs(sum) < clear_majority * count) return 0;
+  return sum > 0 ? 1 : -1;
+}
+
+std::vector<CreaseFinder::Plane> CreaseFinder::find_planes(const Blend& blend, std::uint32_t own,
+                                                           std::span<const Found> near) const {
+  struct Candidate {
+    Vec3 middle;
+    Vec3 normal;
+    double variance;
+  };
+  std::vector<Candidate> candidates;
+  std::vector<Vec3> own_members;
+  const double limit = reach() * reach();
+  for (const Found& f : near) {
+    const Sheet& sheet = sheets_[f.index];
+    if (!sheet.valid) continue;
+    const Vec3 middle = sheet.middle();
+    const Vec3 normal = sheet.normal();
+    const double cosine = dot(normal, blend.normal);
+    if (cosine > same_sheet) {
+      own_members.push_back(middle);
+      continue;
+    }
+    if (cosine < opposite || squared_norm(middle - blend.foot) > limit) continue;
+    // What the own sheet's curvature explains is no edge.
+    if (dot(sheets_[own].meet(middle).normal, normal) > other_sheet) continue;
+    if (cosine < other_sheet) candidates.push_back({middle, normal, sheet.variance});
+  }
+  std::vector<Plane> planes;
+  while (planes.size() < most_planes && candidates.size() >= fewest_members) {
+    // The surest sheet leads; those that agree with it join.
+    const auto lead = std::ranges::min_element(candidates, {}, &Candidate::variance);
+    const Vec3 direction = lead->normal;
+    Plane plane;
+    Vec3 normals;
+    Vec3 center;
+    double total = 0;
+    for (const Candidate& c : candidates) {
+      if (dot(c.normal, direction) < same_sheet) continue;
+      const double w = 1 / c.variance;
+      normals += w * c.normal;
+      center += w * c.middle;
+      total += w;
+      plane.members.push_back(c.middle);
+    }
+    std::erase_if(candidates,
+                  [&](const Candidate& c) { return dot(c.normal, direction) > other_sheet; });
+    if (plane.members.size() < fewest_members) continue;
+    plane.normal = unit(normals);
+    plane.offset = dot(plane.normal, (1 / total) * center);
+    plane.side = side_of(plane, own_members);
+    if (plane.side != 0) planes.push_back(std::move(plane));
+  }
+  return planes;
+}
+
+Landing CreaseFinder::land(const Vec3& point, const Blend& blend, std::uint32_t own,
+                           std::span<const Found> near) const {
+  Landing landing{blend.foot, blend.normal};
+  const std::vector<Plane> planes = find_planes(blend, own, near);
+  const Plane self{blend.normal, dot(blend.normal, blend.foot)};
+  double nearest_edge = edge_width * spacing_;
+  for (const Plane& plane : planes) {
+    const double d = plane.distance(blend.foot);
+    const auto edge = onto_line(blend.foot, blend.normal, plane.normal, d);
+    if (!edge) continue;
+    // The two must really come near each other there.
+    const bool close = std::ranges::any_of(
+        plane.members, [&](const Vec3& p) { return squared_norm(p - *edge) < reach() * reach(); });
+    if (!close) continue;
+    if (d * plane.side < 0) {
+      if (landing.label != Feature::Surface) continue;  // beyond another edge already
+      landing.place = *edge;
+      landing.label = Feature::Edge;
+      // The other sheet may be nearer than the edge.
+      const Vec3 there = point - plane.distance(point) * plane.normal;
+      Plane back = self;
+      back.side = side_of(self, plane.members);
+      if (back.side * back.distance(there) > 0 &&
+          squared_norm(there - point) < squared_norm(*edge - point)) {
+        landing.place = there;
+        landing.normal = plane.normal;
+        const auto its_edge = onto_line(there, plane.normal, self.normal, back.distance(there));
+        if (its_edge && norm(*its_edge - there) > nearest_edge) landing.label = Feature::Surface;
+      }
+    } else if (norm(*edge - blend.foot) < nearest_edge) {
+      landing.label = Feature::Edge;
+    }
+  }
+  if (planes.size() < most_planes) return landing;
+  const auto corner = intersection(self.normal, self.offset, planes[0].normal, planes[0].offset,
+                                   planes[1].normal, planes[1].offset);
+  if (!corner) return landing;
+  const bool beyond_both = std::ranges::all_of(planes, [&](const Plane& plane) {
+    return plane.distance(landing.place) * plane.side < 1e-9 * spacing_;
+  });
+  const double to_corner = norm(*corner - landing.place);
+  if (beyond_both && to_corner < reach()) {
+    landing.place = *corner;
+    landing.label = Feature::Corner;
+  } else if (to_corner < corner_width * spacing_) {
+    landing.label = Feature::Corner;
+  }
+  return landing;
+}
+
+}  // namespace deburr

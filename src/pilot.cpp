@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include "pilot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "deburr/neighborhoods.hpp"
+#include "deburr/normal_filter.hpp"
+#include "deburr/normals.hpp"
+#include "deburr/orientation.hpp"
+#include "deburr/position_update.hpp"
+#include "parallel.hpp"
+#include "surface_nodes.hpp"
+#include "unit.hpp"
+
+namespace deburr {
+namespace {
+
+constexpr int rounds = 5;
+constexpr double normal_scale = 0.35;
+constexpr double step = 0.5;
+
+/// Scale of the weights: so many spacings and so many standard deviations of the noise.
+constexpr double scale_spacings = 0.45;
+constexpr double scale_noises = 2.2;
+constexpr double radius_scales = 2.4;  ///< of the neighbourhoods, in scales
+constexpr std::size_t most_neighbors = 500;
+
+/// First normals: the neighbourhood must be wider than the noise, whatever that takes.
+constexpr double fewest_neighbors = 18;
+constexpr double neighbors_per_noise = 40;  ///< for each square of noise over spacing
+constexpr std::size_t graph_neighbors = 24;
+
+/// Points are merged where the noise is so many spacings, in cells of so many deviations of it.
+constexpr double dense = 1.3;
+constexpr double cell = 1.5;
+
+std::vector<Vec3> first_normals(Points points, Normals given, double ratio,
+                                const Execution& execution) {
+  const auto count =
+      static_cast<std::size_t>(std::max(fewest_neighbors, neighbors_per_noise * ratio * ratio));
+  const Neighborhoods around =
+      find_neighbors(points, {.max_count = count}, sub_execution(execution, "pilot", 0, 0.5));
+  std::vector<Vec3> normals =
+      estimate_normals(points, around, sub_execution(execution, "pilot", 0.5, 0.6));
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (!is_zero(given[i])) normals[i] = given[i];
+  }
+  if (count <= graph_neighbors) return orient_normals(points, normals, around, execution);
+  return orient_normals(points, normals,
+                        find_neighbors(points, {.max_count = graph_neighbors},
+                                       sub_execution(execution, "pilot", 0.6, 0.8)),
+                        execution);
+}
+
+}  // namespace
+
+Pilot find_pilot(const AutomaticInput& input, const Execution& execution) {
+  const bool merge = input.noise > dense * input.spacing;
+  const SurfaceNodes nodes =
+      merge ? merge_into_cells(input.points, input.points, {}, {}, cell * input.noise, execution)
+            : nodes_of_points(input.points, input.points, {});
+  const double spacing = input.spacing * std::sqrt(static_cast<double>(input.points.size()) /
+                                                   static_cast<double>(nodes.size()));
+  // Given normals are of single points, and their signs may be at odds.
+  std::vector<Vec3> normals =
+      first_normals(nodes.measured, merge ? Normals{} : input.normals, input.noise / spacing,
+                    sub_execution(execution, "pilot", 0, 0.4));
+  const double scale = scale_spacings * spacing + scale_noises * input.noise;
+  const Neighborhoods neighborhoods =
+      find_neighbors(nodes.measured, {.max_count = most_neighbors, .radius = radius_scales * scale},
+                     sub_execution(execution, "pilot", 0.4, 0.6));
+  std::vector<Vec3> places = nodes.measured;
+  for (int round = 0; round < rounds; ++round) {
+    const Execution part = sub_execution(execution, "pilot", 0.6 + 0.4 * round / rounds,
+                                         0.6 + 0.4 * (round + 1) / rounds);
+    const Execution quiet{.threads = part.threads, .cancelled = part.cancelled};
+    normals = refit_normals(places, normals, neighborhoods,
+                            {.position_scale = scale, .normal_scale = normal_scale}, quiet);
+    normals = filter_normals(normals, neighborhoods, {}, Voteless::Keep, quiet);
+    sweep_at_once(nodes.measured, places, normals, neighborhoods, {},
+                  {.position_scale = scale,
+                   .normal_scale = normal_scale,
+                   .step = step,
+                   .max_move = input.max_move},
+                  part);
+  }
+
+  Pilot pilot;
+  pilot.places.resize(input.points.size());
+  pilot.normals.resize(input.points.size());
+  for (std::size_t i = 0; i < input.points.size(); ++i) {
+    const std::uint32_t node = nodes.of[i];
+    const Vec3 within = input.points[i] - nodes.measured[node];
+    const Vec3& n = normals[node];
+    pilot.places[i] = places[node] + within - dot(within, n) * n;
+    pilot.normals[i] = n;
+  }
+  return pilot;
+}
+
+}  // namespace deburr

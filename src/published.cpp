@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include "published.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "deburr/normals.hpp"
+#include "deburr/orientation.hpp"
+#include "parallel.hpp"
+
+namespace deburr {
+namespace {
+
+/// Share of the progress that is told before the rounds begin.
+constexpr double prepared = 0.15;
+
+RoundReport measure(Points before, Points after, const WorkingSet& set) {
+  double squares = 0;
+  double largest = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double squared = squared_norm(after[i] - before[i]);
+    squares += squared;
+    largest = std::max(largest, squared);
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(1, before.size()));
+  return {set.length(std::sqrt(squares / count)), set.length(std::sqrt(largest))};
+}
+
+std::vector<Vec3> first_normals(Points points, std::size_t k, const Execution& execution) {
+  const Neighborhoods nearest =
+      find_neighbors(points, {.max_count = k}, sub_execution(execution, "normals", 0, 0.5));
+  return orient_normals(
+      points, estimate_normals(points, nearest, sub_execution(execution, "normals", 0.5, 0.6)),
+      nearest, execution);
+}
+
+}  // namespace
+
+void run_published(const Yadav2018Options& options, const Schedule& schedule, const WorkingSet& set,
+                   bool keep_normals, State& state, Report& report, StageClock& clock,
+                   const Execution& execution) {
+  state.normals = clock.time("first normals", [&] {
+    return keep_normals ? set.normals
+                        : first_normals(set.points, options.k,
+                                        sub_execution(execution, "normals", 0, prepared));
+  });
+  Neighborhoods neighborhoods;
+  for (int round = 0; round < schedule.rounds; ++round) {
+    const Execution part =
+        sub_execution(execution, "rounds", prepared + (1 - prepared) * round / schedule.rounds,
+                      prepared + (1 - prepared) * (round + 1) / schedule.rounds);
+    const Execution quiet{.threads = part.threads, .cancelled = part.cancelled};
+    if (round == 0 || schedule.rebuild) {
+      neighborhoods = clock.time("neighbourhoods", [&] {
+        return find_neighbors(state.points, schedule.neighbors, quiet);
+      });
+    }
+    state.normals = clock.time("normal filter", [&] {
+      return filter_normals(state.normals, neighborhoods, schedule.normal_filter,
+                            round == 0 ? schedule.voteless_at_first : Voteless::Keep, quiet);
+    });
+    std::vector<Vec3> moved = state.points;
+    state.labels = clock.time("features and positions", [&] {
+      FeatureField field = schedule.in_place
+                               ? sweep_in_place(set.points, moved, state.normals, neighborhoods,
+                                                schedule.features, schedule.update, set.sweep, part)
+                               : sweep_at_once(set.points, moved, state.normals, neighborhoods,
+                                               schedule.features, schedule.update, part);
+      return std::move(field.label);
+    });
+    report.rounds.push_back(measure(state.points, moved, set));
+    state.points = std::move(moved);
+  }
+}
+
+}  // namespace deburr

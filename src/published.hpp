@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "schedule.hpp"
+#include "stage_clock.hpp"
+#include "working_set.hpp"
+
+namespace deburr {
+
+/// The points on their way, in the coordinates of the working set.
+struct State {
+  std::vector<Vec3> points;
+  std::vector<Vec3> normals;
+  std::vector<Feature> labels;
+};
+
+/// The rounds of the published method: filter the normals, classify the points, move them.
+/// @param keep_normals  whether to start from those of the set
+/// @param[in,out] report  gets what each round moved
+void run_published(const Yadav2018Options& options, const Schedule& schedule, const WorkingSet& set,
+                   bool keep_normals, State& state, Report& report, StageClock& clock,
+                   const Execution& execution);
+
+}  // namespace deburr

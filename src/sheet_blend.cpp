@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet_blend.hpp"
+
+#include <algorithm>
+
+#include "unit.hpp"
+
+namespace deburr {
+namespace {
+
+constexpr double blend_radius = 0.7;   ///< of a sheet's own radius
+constexpr double normal_reach = 0.6;   ///< difference of unit normals
+constexpr double height_reach = 3;     ///< in standard deviations of the noise
+constexpr double height_floor = 0.15;  ///< in spacings, besides
+constexpr double own_share = 0.1;      ///< at least, of the sheet of the point's own node
+
+}  // namespace
+
+Blend blend_sheets(const Vec3& point, const Vec3& place, std::uint32_t own,
+                   std::span<const Found> near, std::span<const Sheet> sheets,
+                   const BlendScales& scales) {
+  if (!sheets[own].valid) return {};
+  const double reach = height_reach * scales.noise + height_floor * scales.spacing;
+  const Sheet::Meeting at_own = sheets[own].meet(place);
+  Vec3 move;
+  Vec3 normals;
+  double total = 0;
+  for (const Found& f : near) {
+    const Sheet& sheet = sheets[f.index];
+    if (!sheet.valid) continue;
+    const double radius = blend_radius * sheet.radius;
+    double w = 1 - f.squared_distance / (radius * radius);
+    if (f.index == own) w = std::max(w, own_share);
+    if (!(w > 0)) continue;
+    const Sheet::Meeting here = sheet.meet(place);
+    const double off = here.distance / reach;
+    const double e =
+        squared_norm(here.normal - at_own.normal) / (normal_reach * normal_reach) + off * off;
+    if (!(e < 2)) continue;
+    const double t = 1 - e * e / 4;
+    w *= w * t * t * t / sheet.variance;
+    const Sheet::Meeting m = sheet.meet(point);
+    move += (-w * m.distance) * m.normal;
+    normals += w * m.normal;
+    total += w;
+  }
+  if (!(total > 0)) return {};
+  return {point + (1 / total) * move, unit(normals), true};
+}
+
+}  // namespace deburr

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include "sheet_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "unit.hpp"
+#include "weighted_quadric.hpp"
+
+namespace deburr {
+namespace {
+
+constexpr std::size_t fine_neighbors = 100;
+constexpr std::size_t coarse_neighbors = 150;
+constexpr double growth = 1.5;  ///< of the area from one scale to the next
+
+/// The smallest neighbourhood holds so many nodes, or so many for each square of noise over
+/// spacing: a patch thinner than the noise has no direction.
+constexpr double fewest = 15;
+constexpr double fewest_per_noise = 40;
+
+/// How far a node may differ from the surface expected so far and still belong to it.
+constexpr double normal_reach = 0.6;   ///< difference of unit normals
+constexpr double height_reach = 3;     ///< in standard deviations of the noise
+constexpr double height_floor = 0.15;  ///< in spacings, besides
+
+/// A larger fit must agree with every smaller one within so many of its standard deviations.
+constexpr double agreement = 2;
+
+/// And its residuals may exceed the noise by so many of their standard deviations.
+constexpr double excess = 4;
+constexpr double coarse_excess = 2.5;  ///< means of nodes show a misfit more clearly
+constexpr double survey_excess = 3;    ///< a survey ends at so many times the variance of the noise
+
+/// Quadratic terms are taken where they take off the squares so many times what noise would let
+/// them: for all nodes around together, or for this one on its own.
+constexpr float curved_together = 1.6F;
+constexpr double curved_alone = 3;
+constexpr double curved_unknown = 2;
+
+constexpr std::size_t fewest_samples = 5;
+
+}  // namespace
+
+/// One growing of a sheet.
+struct SheetFitter::Run {
+  std::uint32_t node;
+  Scratch& scratch;
+  double noise;
+  Sheet sheet;
+  double low = -std::numeric_limits<double>::infinity();  ///< what the fits so far agree on
+  double high = std::numeric_limits<double>::infinity();
+
+  /// Share with which a sample belongs to the surface found so far: 1 near it, 0 far from it,
+  /// level in between, so that the noise of the samples that belong is not cut off.
+  [[nodiscard]] double belonging(const Scratch::Sample& s, double reach) const {
+    const HeightQuadric& f = sheet.height;
+    const double a = f.slope_x(s.x, s.y);
+    const double b = f.slope_y(s.x, s.y);
+    const double cosine = 1 / std::sqrt(1 + a * a + b * b);
+    const double turn = squared_norm(s.normal - Vec3{-a * cosine, -b * cosine, cosine});
+    const double off = (s.place_height - f.height(s.x, s.y)) * cosine / reach;
+    const double e = turn / (normal_reach * normal_reach) + off * off;
+    if (!(e < 2)) return 0;
+    const double t = 1 - e * e / 4;
+    return t * t * t;
+  }
+};
+
+SheetFitter::SheetFitter(const SurfaceNodes& fine, const KdTree& fine_tree,
+                         const SurfaceNodes& coarse, const KdTree& coarse_tree, double noise,
+                         double spacing)
+    : fine_(fine),
+      fine_tree_(fine_tree),
+      coarse_(coarse),
+      coarse_tree_(coarse_tree),
+      noise_(noise),
+      spacing_(spacing) {}
+
+void SheetFitter::gather(Run& run, bool coarse) const {
+  const SurfaceNodes& nodes = coarse ? coarse_ : fine_;
+  const Frame& frame = run.sheet.frame;
+  auto& samples = run.scratch.samples;
+  samples.clear();
+  const auto add = [&](std::uint32_t j, double square) {
+    const Vec3 place = frame.local(nodes.places[j]);
+    const Vec3& n = nodes.normals[j];
+    samples.push_back({place.x,
+                       place.y,
+                       dot(nodes.measured[j] - frame.origin, frame.w),
+                       place.z,
+                       nodes.weights[j],
+                       square,
+                       {dot(n, frame.u), dot(n, frame.v), dot(n, frame.w)}});
+  };
+  if (!coarse) add(run.node, 0);
+  for (const Found& f : run.scratch.found) add(f.index, f.squared_distance);
+}
+
+Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& choice,
+                        ScaleCurve* curve) const {
+  Run run{i, scratch, choice.noise, {}};
+  Sheet& sheet = run.sheet;
+  sheet.frame = frame_along(fine_.places[i], fine_.normals[i]);
+  const double variance = run.noise * run.noise;
+  const double reach = height_reach * run.noise + height_floor * spacing_;
+
+  fine_tree_.nearest(i, fine_neighbors, std::numeric_limits<double>::infinity(), scratch.found);
+  gather(run, false);
+  if (scratch.samples.size() < 2) return sheet;
+  const double ratio = run.noise / spacing_;
+  const auto first = static_cast<std::size_t>(std::clamp(
+      fewest_per_noise * ratio * ratio / fine_.weights[i], fewest, double{fine_neighbors}));
+  double area = scratch.samples[std::min(first, scratch.samples.size() - 1)].square;
+
+  for (std::size_t scale = 0; scale <= choice.scale; ++scale, area *= growth) {
+    const bool coarse = scale >= coarse_scale;
+    if (scale == coarse_scale) {
+      // Coarse nodes take over where the fine ones end, wherever that was.
+      if (!sheet.valid) break;
+      area = sheet.radius * sheet.radius * growth;
+      coarse_tree_.nearest_to(sheet.frame.origin, coarse_neighbors,
+                              std::numeric_limits<double>::infinity(), scratch.found);
+      if (scratch.found.empty() || scratch.found.back().squared_distance < area) break;
+      gather(run, true);
+    }
+    const auto& samples = scratch.samples;
+    const bool last = !(area < samples.back().square);
+    if (last) area = samples.back().square;
+    WeightedQuadric sums(std::sqrt(area));
+    for (const auto& s : samples) {
+      if (s.square > area) break;
+      const double w = (1 - 0.9 * s.square / area) * run.belonging(s, reach) * s.weight;
+      if (w > 0) sums.add(s.x, s.y, s.height, w, s.weight);
+    }
+    const std::size_t next = last ? (coarse ? sheet_scales : coarse_scale) - 1 : scale;
+    if (sums.count() < fewest_samples) {
+      if (last && !sheet.valid) break;
+      scale = next;
+      continue;
+    }
+    const auto [plane, quadric, curvature] = sums.solve();
+    const double bend = curvature / variance;
+    const float pooled = choice.curvature[scale];
+    const bool curved = curve != nullptr || pooled < 0
+                            ? bend > curved_unknown
+                            : pooled > curved_together || bend > curved_alone;
+    const auto& best = curved ? quadric : plane;
+    if (curve != nullptr) {
+      curve->residual[scale] = static_cast<float>(best.residual / variance);
+      curve->freedom[scale] = static_cast<float>(best.freedom);
+      curve->variance[scale] = static_cast<float>(best.variance);
+      curve->curvature[scale] = static_cast<float>(bend);
+      if (sheet.valid && best.residual > survey_excess * variance) break;
+    } else {
+      const double height = best.surface.c[0];
+      const double deviation = agreement * run.noise * std::sqrt(best.variance);
+      const double low = std::max(run.low, height - deviation);
+      const double high = std::min(run.high, height + deviation);
+      const double most = 1 + (coarse ? coarse_excess : excess) * std::sqrt(2 / best.freedom);
+      if (low > high || (sheet.valid && best.residual > most * variance)) break;
+      run.low = low;
+      run.high = high;
+    }
+    sheet.height = best.surface;
+    sheet.variance = std::max(best.variance, std::numeric_limits<double>::min()) * variance;
+    sheet.radius = std::sqrt(area);
+    sheet.valid = true;
+    scale = next;
+  }
+  return sheet;
+}
+
+Sheet SheetFitter::survey(std::uint32_t i, Scratch& scratch, ScaleCurve& curve) const {
+  curve = {};
+  ScaleChoice choice;
+  choice.noise = noise_;
+  return is_zero(fine_.normals[i]) ? Sheet{} : grow(i, scratch, choice, &curve);
+}
+
+Sheet SheetFitter::fit(std::uint32_t i, Scratch& scratch, const ScaleChoice& choice) const {
+  return is_zero(fine_.normals[i]) ? Sheet{} : grow(i, scratch, choice, nullptr);
+}
+
+}  // namespace deburr

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kd_tree.hpp"
+#include "sheet.hpp"
+#include "surface_nodes.hpp"
+
+namespace deburr {
+
+/// Scales at which a sheet is fitted: the first half over nodes, the rest over coarser ones.
+inline constexpr std::size_t sheet_scales = 16;
+inline constexpr std::size_t coarse_scale = sheet_scales / 2;
+
+/// How the fits around one node fare at each scale; variances are shares of that of the noise.
+struct ScaleCurve {
+  std::array<float, sheet_scales> residual{};  ///< variance of the points about the fit
+  std::array<float, sheet_scales> freedom{};   ///< degrees of freedom of that; 0 where no fit is
+  std::array<float, sheet_scales> variance{};  ///< of the height at the node
+  /// What the three quadratic terms take off the residuals, in units of what noise alone lets them
+  /// take off.
+  std::array<float, sheet_scales> curvature{};
+};
+
+/// What is known, from all nodes around one, of how it is fitted best.
+struct ScaleChoice {
+  std::size_t scale = sheet_scales - 1;         ///< no larger than this
+  double noise = 0;                             ///< standard deviation of the noise there
+  std::array<float, sheet_scales> curvature{};  ///< as in ScaleCurve, pooled; < 0 where unknown
+};
+
+/// Fits sheets to nodes, from small neighbourhoods to large ones. See docs/method/automatic.md.
+class SheetFitter {
+ public:
+  /// @param coarse  the same surface with fewer nodes
+  /// @param noise  standard deviation of the noise of a single point
+  /// @param spacing  of the nodes
+  SheetFitter(const SurfaceNodes& fine, const KdTree& fine_tree, const SurfaceNodes& coarse,
+              const KdTree& coarse_tree, double noise, double spacing);
+
+  /// Buffers of one thread.
+  struct Scratch {
+    struct Sample {
+      double x, y;          ///< in the plane
+      double height;        ///< of the measured position
+      double place_height;  ///< of the place
+      double weight;
+      double square;  ///< squared distance
+      Vec3 normal;    ///< in the frame
+    };
+    std::vector<Found> found;
+    std::vector<Sample> samples;
+  };
+
+  /// Fits node i at every scale and tells how each fares.
+  [[nodiscard]] Sheet survey(std::uint32_t i, Scratch& scratch, ScaleCurve& curve) const;
+
+  /// Fits node i at the largest scale that its choice allows and that agrees with the smaller ones.
+  [[nodiscard]] Sheet fit(std::uint32_t i, Scratch& scratch, const ScaleChoice& choice) const;
+
+ private:
+  struct Run;
+  [[nodiscard]] Sheet grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& choice,
+                           ScaleCurve* curve) const;
+  void gather(Run& run, bool coarse) const;
+
+  const SurfaceNodes& fine_;
+  const KdTree& fine_tree_;
+  const SurfaceNodes& coarse_;
+  const KdTree& coarse_tree_;
+  double noise_;
+  double spacing_;
+};
+
+}  // namespace deburr

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include "surface_nodes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "box.hpp"
+#include "parallel.hpp"
+#include "unit.hpp"
+
+namespace deburr {
+namespace {
+
+/// Cells along one side of the box: more would not fit into the numbers that follow.
+constexpr double most_cells = 1 << 20;
+
+struct Key {
+  std::uint64_t cell;  ///< 21 bits for each axis
+  std::uint32_t side;  ///< of six: the largest component of the normal and its sign
+  std::uint32_t index;
+
+  friend bool operator<(const Key& a, const Key& b) {
+    return std::tie(a.cell, a.side, a.index) < std::tie(b.cell, b.side, b.index);
+  }
+  [[nodiscard]] bool same_node(const Key& other) const {
+    return cell == other.cell && side == other.side;
+  }
+};
+
+std::uint32_t side_of(const Vec3& n) {
+  const double x = std::abs(n.x);
+  const double y = std::abs(n.y);
+  const double z = std::abs(n.z);
+  if (x >= y && x >= z) return n.x < 0 ? 1 : 0;
+  if (y >= z) return n.y < 0 ? 3 : 2;
+  return n.z < 0 ? 5 : 4;
+}
+
+}  // namespace
+
+SurfaceNodes nodes_of_points(Points measured, Points places, Normals normals) {
+  SurfaceNodes nodes;
+  nodes.measured.assign(measured.begin(), measured.end());
+  nodes.places.assign(places.begin(), places.end());
+  nodes.normals.assign(normals.begin(), normals.end());
+  nodes.weights.assign(measured.size(), 1.0);
+  nodes.of.resize(measured.size());
+  std::iota(nodes.of.begin(), nodes.of.end(), 0U);
+  return nodes;
+}
+
+SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
+                              std::span<const double> weights, double cell,
+                              const Execution& execution) {
+  const Box box = bounding_box(places);
+  const Vec3 extent = box.high - box.low;
+  const double longest = std::max({extent.x, extent.y, extent.z});
+  // A whole number of cells: a cell size that differs in its last bits must not move the borders.
+  const double count = std::clamp(std::ceil(longest / cell), 1.0, most_cells);
+  const double per_length = longest > 0 ? count / longest : 0;
+  const auto along = [&](double v, double low) {
+    return static_cast<std::uint64_t>((v - low) * per_length);
+  };
+  std::vector<Key> keys(places.size());
+  for (std::uint32_t i = 0; i < keys.size(); ++i) {
+    const Vec3& p = places[i];
+    keys[i] = {along(p.x, box.low.x) << 42 | along(p.y, box.low.y) << 21 | along(p.z, box.low.z),
+               normals.empty() ? 0 : side_of(normals[i]), i};
+  }
+  parallel_sort(keys, execution);
+
+  SurfaceNodes nodes;
+  nodes.of.resize(places.size());
+  for (std::size_t from = 0; from < keys.size();) {
+    Vec3 measured_sum;
+    Vec3 place_sum;
+    Vec3 normal_sum;
+    double total = 0;
+    std::size_t to = from;
+    for (; to < keys.size() && keys[to].same_node(keys[from]); ++to) {
+      const std::uint32_t i = keys[to].index;
+      const double w = weights.empty() ? 1 : weights[i];
+      measured_sum += w * measured[i];
+      place_sum += w * places[i];
+      if (!normals.empty()) normal_sum += w * normals[i];
+      total += w;
+      nodes.of[i] = static_cast<std::uint32_t>(nodes.size());
+    }
+    nodes.measured.push_back((1 / total) * measured_sum);
+    nodes.places.push_back((1 / total) * place_sum);
+    nodes.normals.push_back(is_zero(normal_sum) ? Vec3{} : unit(normal_sum));
+    nodes.weights.push_back(total);
+    from = to;
+  }
+  return nodes;
+}
+
+}  // namespace deburr
