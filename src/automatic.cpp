@@ -76,9 +76,9 @@ void land(const AutomaticInput& input, const Levels& levels, std::span<const She
     std::vector<Found> near;
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t own = levels.fine.of[i];
-      places[i] = creases ? input.points[i] : result.points[i];
+      // Without a fit the place of the pilot is the best that is known.
+      places[i] = result.points[i];
       normals[i] = result.normals[i];
-      if (creases) result.labels[i] = Feature::Isolated;
       levels.fine_tree.nearest_to(result.points[i], blended, infinity, near);
       const Blend blend =
           blend_sheets(input.points[i], result.points[i], own, near, sheets, scales);
@@ -107,9 +107,11 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
     return sub_execution(execution, stage, from, to);
   };
   AutomaticResult result;
-  result.labels.assign(input.points.size(), Feature::Isolated);
+  std::vector<bool> lone;
+  result.labels.assign(input.points.size(), Feature::Surface);
   clock.time("pilot", [&] {
     Pilot pilot = find_pilot(input, part("pilot", 0, 0.4));
+    lone = std::move(pilot.lone);
     result.points = std::move(pilot.places);
     result.normals = std::move(pilot.normals);
     return 0;
@@ -161,6 +163,11 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
     land(input, second, sheets, true, result, part("landing", 0.9, 1));
     return 0;
   });
+  for (std::size_t i = 0; i < lone.size(); ++i) {
+    if (!lone[i]) continue;
+    result.points[i] = input.points[i];
+    result.labels[i] = Feature::Isolated;
+  }
   return result;
 }
 

@@ -72,6 +72,7 @@ Pilot find_pilot(const AutomaticInput& input, const Execution& execution) {
       find_neighbors(nodes.measured, {.max_count = most_neighbors, .radius = radius_scales * scale},
                      sub_execution(execution, "pilot", 0.4, 0.6));
   std::vector<Vec3> places = nodes.measured;
+  FeatureField field;
   for (int round = 0; round < rounds; ++round) {
     const Execution part = sub_execution(execution, "pilot", 0.6 + 0.4 * round / rounds,
                                          0.6 + 0.4 * (round + 1) / rounds);
@@ -79,23 +80,25 @@ Pilot find_pilot(const AutomaticInput& input, const Execution& execution) {
     normals = refit_normals(places, normals, neighborhoods,
                             {.position_scale = scale, .normal_scale = normal_scale}, quiet);
     normals = filter_normals(normals, neighborhoods, {}, Voteless::Keep, quiet);
-    sweep_at_once(nodes.measured, places, normals, neighborhoods, {},
-                  {.position_scale = scale,
-                   .normal_scale = normal_scale,
-                   .step = step,
-                   .max_move = input.max_move},
-                  part);
+    field = sweep_at_once(nodes.measured, places, normals, neighborhoods, {},
+                          {.position_scale = scale,
+                           .normal_scale = normal_scale,
+                           .step = step,
+                           .max_move = input.max_move},
+                          part);
   }
 
   Pilot pilot;
   pilot.places.resize(input.points.size());
   pilot.normals.resize(input.points.size());
+  pilot.lone.resize(input.points.size());
   for (std::size_t i = 0; i < input.points.size(); ++i) {
     const std::uint32_t node = nodes.of[i];
     const Vec3 within = input.points[i] - nodes.measured[node];
     const Vec3& n = normals[node];
     pilot.places[i] = places[node] + within - dot(within, n) * n;
     pilot.normals[i] = n;
+    pilot.lone[i] = field.label[node] == Feature::Isolated;
   }
   return pilot;
 }

@@ -12,6 +12,7 @@ namespace deburr {
 struct Pilot {
   std::vector<Vec3> places;
   std::vector<Vec3> normals;  ///< unit, or zero where nothing is near
+  std::vector<bool> lone;     ///< whether nothing is near to be compared with
 };
 
 /// Runs a few rounds of the published stages at the scale of the noise, over merged points where

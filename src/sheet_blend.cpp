@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "flat_top.hpp"
 #include "unit.hpp"
 
 namespace deburr {
@@ -37,9 +38,8 @@ Blend blend_sheets(const Vec3& point, const Vec3& place, std::uint32_t own,
     const double off = here.distance / reach;
     const double e =
         squared_norm(here.normal - at_own.normal) / (normal_reach * normal_reach) + off * off;
-    if (!(e < 2)) continue;
-    const double t = 1 - e * e / 4;
-    w *= w * t * t * t / sheet.variance;
+    w *= w * flat_top(e) / sheet.variance;
+    if (!(w > 0)) continue;
     const Sheet::Meeting m = sheet.meet(point);
     move += (-w * m.distance) * m.normal;
     normals += w * m.normal;

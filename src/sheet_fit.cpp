@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "flat_top.hpp"
 #include "unit.hpp"
 #include "weighted_quadric.hpp"
 
@@ -63,9 +64,7 @@ struct SheetFitter::Run {
     const double turn = squared_norm(s.normal - Vec3{-a * cosine, -b * cosine, cosine});
     const double off = (s.place_height - f.height(s.x, s.y)) * cosine / reach;
     const double e = turn / (normal_reach * normal_reach) + off * off;
-    if (!(e < 2)) return 0;
-    const double t = 1 - e * e / 4;
-    return t * t * t;
+    return flat_top(e);
   }
 };
 
