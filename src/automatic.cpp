@@ -28,6 +28,11 @@ constexpr double node_cell = 1.0;
 constexpr double coarse_cell = 3;
 constexpr double coarse_noise = 1;
 
+/// A point that is so many standard deviations of the noise clear of any other sheet is surely of
+/// its own. Nearer ones were told apart by their noise: fits that trust them are drawn outwards.
+constexpr double clear = 2;
+constexpr double least_trust = 0.1;
+
 constexpr std::size_t blended = 100;  ///< nodes around a point that its landing is made of
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -42,7 +47,7 @@ struct Levels {
   Levels(SurfaceNodes nodes, const AutomaticInput& input, double node_spacing,
          const Execution& execution)
       : fine(std::move(nodes)),
-        coarse(merge_into_cells(fine.measured, fine.places, fine.normals, fine.weights,
+        coarse(merge_into_cells(fine.measured, fine.places, fine.normals, fine.weights, fine.trust,
                                 std::max(coarse_cell * node_spacing, coarse_noise * input.noise),
                                 execution)),
         fine_tree(fine.places, execution),
@@ -55,48 +60,46 @@ struct Levels {
 };
 
 Levels make_levels(const AutomaticInput& input, Points places, Normals normals,
-                   const Execution& execution) {
+                   std::span<const double> trust, const Execution& execution) {
   const bool merge = input.noise > dense * input.spacing;
-  SurfaceNodes nodes = merge ? merge_into_cells(input.points, places, normals, {},
+  SurfaceNodes nodes = merge ? merge_into_cells(input.points, places, normals, {}, trust,
                                                 node_cell * input.noise, execution)
-                             : nodes_of_points(input.points, places, normals);
+                             : nodes_of_points(input.points, places, normals, trust);
   const double per_node =
       static_cast<double>(input.points.size()) / static_cast<double>(nodes.size());
   return {std::move(nodes), input, input.spacing * std::sqrt(per_node), execution};
 }
 
 /// Lands every point on the sheets around it.
-void land(const AutomaticInput& input, const Levels& levels, std::span<const Sheet> sheets,
-          bool creases, AutomaticResult& result, const Execution& execution) {
+/// @return how surely each point is of the sheet that it landed on
+std::vector<double> land(const AutomaticInput& input, const Levels& levels,
+                         std::span<const Sheet> sheets, AutomaticResult& result,
+                         const Execution& execution) {
   const BlendScales scales{input.noise, levels.spacing};
   const CreaseFinder finder(sheets, scales, input.spacing);
-  std::vector<Vec3> places(input.points.size());
-  std::vector<Vec3> normals(input.points.size());
+  std::vector<double> trust(input.points.size(), 1.0);
+  std::vector<Vec3> places(result.points);
   parallel_blocks(input.points.size(), execution, [&](std::size_t begin, std::size_t end) {
     std::vector<Found> near;
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t own = levels.fine.of[i];
-      // Without a fit the place of the pilot is the best that is known.
-      places[i] = result.points[i];
-      normals[i] = result.normals[i];
       levels.fine_tree.nearest_to(result.points[i], blended, infinity, near);
       const Blend blend =
           blend_sheets(input.points[i], result.points[i], own, near, sheets, scales);
+      // Without a fit the place so far is the best that is known.
       if (!blend.valid || !is_finite(blend.foot)) continue;
-      Landing landing{blend.foot, blend.normal};
-      if (creases) {
-        landing = finder.land(input.points[i], blend, own, near);
-        result.labels[i] = landing.label;
-      }
+      const Landing landing = finder.land(input.points[i], blend, own, near);
       const Vec3 move = landing.place - input.points[i];
       const double distance = norm(move);
       places[i] = distance > input.max_move ? input.points[i] + (input.max_move / distance) * move
                                             : landing.place;
-      normals[i] = landing.normal;
+      result.normals[i] = landing.normal;
+      result.labels[i] = landing.label;
+      trust[i] = std::clamp(landing.clearance / (clear * input.noise), least_trust, 1.0);
     }
   });
   result.points = std::move(places);
-  result.normals = std::move(normals);
+  return trust;
 }
 
 }  // namespace
@@ -119,7 +122,7 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
 
   // A first pass tells how fits of every size fare, the second takes the best of them.
   const Levels first = clock.time("fits", [&] {
-    return make_levels(input, result.points, result.normals, part("fits", 0.4, 0.42));
+    return make_levels(input, result.points, result.normals, {}, part("fits", 0.4, 0.42));
   });
   const SheetFitter surveyor(first.fine, first.fine_tree, first.coarse, first.coarse_tree,
                              input.noise, first.spacing);
@@ -135,13 +138,11 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
         });
     return 0;
   });
-  clock.time("landing", [&] {
-    land(input, first, sheets, false, result, part("landing", 0.6, 0.65));
-    return 0;
-  });
+  const std::vector<double> trust = clock.time(
+      "landing", [&] { return land(input, first, sheets, result, part("landing", 0.6, 0.65)); });
 
   const Levels second = clock.time("fits", [&] {
-    return make_levels(input, result.points, result.normals, part("fits", 0.65, 0.67));
+    return make_levels(input, result.points, result.normals, trust, part("fits", 0.65, 0.67));
   });
   clock.time("fits", [&] {
     const std::vector<ScaleChoice> choices =
@@ -159,10 +160,8 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
                     });
     return 0;
   });
-  clock.time("landing", [&] {
-    land(input, second, sheets, true, result, part("landing", 0.9, 1));
-    return 0;
-  });
+  clock.time("landing",
+             [&] { return land(input, second, sheets, result, part("landing", 0.9, 1)); });
   for (std::size_t i = 0; i < lone.size(); ++i) {
     if (!lone[i]) continue;
     result.points[i] = input.points[i];

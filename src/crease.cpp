@@ -126,6 +126,7 @@ Landing CreaseFinder::land(const Vec3& point, const Blend& blend, std::uint32_t 
     const bool close = std::ranges::any_of(
         plane.members, [&](const Vec3& p) { return squared_norm(p - *edge) < reach() * reach(); });
     if (!close) continue;
+    landing.clearance = std::min(landing.clearance, std::abs(d));
     if (d * plane.side < 0) {
       if (landing.label != Feature::Surface) continue;  // beyond another edge already
       landing.place = *edge;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct Landing {
   Vec3 place;
   Vec3 normal;
   Feature label = Feature::Surface;
+  /// Distance from the nearest sheet that meets its own; infinite where there is none. Points that
+  /// are not clear of it by more than the noise may be of either.
+  double clearance = std::numeric_limits<double>::infinity();
 };
 
 /// Ends smooth sheets where they meet: a point that landed beyond an edge goes to the edge, to the

@@ -58,9 +58,9 @@ std::vector<Vec3> first_normals(Points points, Normals given, double ratio,
 
 Pilot find_pilot(const AutomaticInput& input, const Execution& execution) {
   const bool merge = input.noise > dense * input.spacing;
-  const SurfaceNodes nodes =
-      merge ? merge_into_cells(input.points, input.points, {}, {}, cell * input.noise, execution)
-            : nodes_of_points(input.points, input.points, {});
+  const SurfaceNodes nodes = merge ? merge_into_cells(input.points, input.points, {}, {}, {},
+                                                      cell * input.noise, execution)
+                                   : nodes_of_points(input.points, input.points, {});
   const double spacing = input.spacing * std::sqrt(static_cast<double>(input.points.size()) /
                                                    static_cast<double>(nodes.size()));
   // Given normals are of single points, and their signs may be at odds.

@@ -91,6 +91,7 @@ void SheetFitter::gather(Run& run, bool coarse) const {
                        dot(nodes.measured[j] - frame.origin, frame.w),
                        place.z,
                        nodes.weights[j],
+                       nodes.trust[j],
                        square,
                        {dot(n, frame.u), dot(n, frame.v), dot(n, frame.w)}});
   };
@@ -131,7 +132,7 @@ Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& ch
     WeightedQuadric sums(std::sqrt(area));
     for (const auto& s : samples) {
       if (s.square > area) break;
-      const double w = (1 - 0.9 * s.square / area) * run.belonging(s, reach) * s.weight;
+      const double w = (1 - 0.9 * s.square / area) * run.belonging(s, reach) * s.weight * s.trust;
       if (w > 0) sums.add(s.x, s.y, s.height, w, s.weight);
     }
     const std::size_t next = last ? (coarse ? sheet_scales : coarse_scale) - 1 : scale;

@@ -49,7 +49,8 @@ class SheetFitter {
       double x, y;          ///< in the plane
       double height;        ///< of the measured position
       double place_height;  ///< of the place
-      double weight;
+      double weight;        ///< number of points
+      double trust;
       double square;  ///< squared distance
       Vec3 normal;    ///< in the frame
     };

@@ -42,20 +42,23 @@ std::uint32_t side_of(const Vec3& n) {
 
 }  // namespace
 
-SurfaceNodes nodes_of_points(Points measured, Points places, Normals normals) {
+SurfaceNodes nodes_of_points(Points measured, Points places, Normals normals,
+                             std::span<const double> trust) {
   SurfaceNodes nodes;
   nodes.measured.assign(measured.begin(), measured.end());
   nodes.places.assign(places.begin(), places.end());
   nodes.normals.assign(normals.begin(), normals.end());
   nodes.weights.assign(measured.size(), 1.0);
+  nodes.trust.assign(trust.begin(), trust.end());
+  nodes.trust.resize(measured.size(), 1.0);
   nodes.of.resize(measured.size());
   std::iota(nodes.of.begin(), nodes.of.end(), 0U);
   return nodes;
 }
 
 SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
-                              std::span<const double> weights, double cell,
-                              const Execution& execution) {
+                              std::span<const double> weights, std::span<const double> trust,
+                              double cell, const Execution& execution) {
   const Box box = bounding_box(places);
   const Vec3 extent = box.high - box.low;
   const double longest = std::max({extent.x, extent.y, extent.z});
@@ -80,6 +83,7 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
     Vec3 place_sum;
     Vec3 normal_sum;
     double total = 0;
+    double trusted = 0;
     std::size_t to = from;
     for (; to < keys.size() && keys[to].same_node(keys[from]); ++to) {
       const std::uint32_t i = keys[to].index;
@@ -88,12 +92,14 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
       place_sum += w * places[i];
       if (!normals.empty()) normal_sum += w * normals[i];
       total += w;
+      trusted += w * (trust.empty() ? 1 : trust[i]);
       nodes.of[i] = static_cast<std::uint32_t>(nodes.size());
     }
     nodes.measured.push_back((1 / total) * measured_sum);
     nodes.places.push_back((1 / total) * place_sum);
     nodes.normals.push_back(is_zero(normal_sum) ? Vec3{} : unit(normal_sum));
     nodes.weights.push_back(total);
+    nodes.trust.push_back(trusted / total);
     from = to;
   }
   return nodes;

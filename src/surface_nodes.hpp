@@ -18,21 +18,24 @@ struct SurfaceNodes {
   std::vector<Vec3> places;       ///< means of the positions on the surface, as known so far
   std::vector<Vec3> normals;      ///< unit, or zero
   std::vector<double> weights;    ///< numbers of points
+  std::vector<double> trust;      ///< how surely their points are of this sheet, in (0, 1]
   std::vector<std::uint32_t> of;  ///< the node of each point that went in
 
   [[nodiscard]] std::size_t size() const { return places.size(); }
 };
 
 /// Every point as a node of its own.
-SurfaceNodes nodes_of_points(Points measured, Points places, Normals normals);
+/// @param trust  empty for 1 each
+SurfaceNodes nodes_of_points(Points measured, Points places, Normals normals,
+                             std::span<const double> trust = {});
 
 /// Merges what lies in one cell of a grid and has normals with the same largest component and sign.
 /// The grid is measured off the bounding box of the places, so that neither unit nor place matter.
 /// @param normals  empty to merge whatever lies in a cell
-/// @param weights  empty for 1 each
+/// @param weights,trust  empty for 1 each
 /// @param cell  side of a cell, > 0
 SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
-                              std::span<const double> weights, double cell,
-                              const Execution& execution);
+                              std::span<const double> weights, std::span<const double> trust,
+                              double cell, const Execution& execution);
 
 }  // namespace deburr
