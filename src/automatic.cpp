@@ -30,8 +30,8 @@ constexpr double coarse_noise = 1;
 
 /// A point that is so many standard deviations of the noise clear of any other sheet is surely of
 /// its own. Nearer ones were told apart by their noise: fits that trust them are drawn outwards.
-constexpr double clear = 2;
-constexpr double least_trust = 0.1;
+constexpr double clear = 3;
+constexpr double least_trust = 0.05;
 
 constexpr std::size_t blended = 100;  ///< nodes around a point that its landing is made of
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -18,6 +18,7 @@ constexpr double other_sheet = 0.866;  ///< 30 degrees: below, two sheets meet i
 constexpr double opposite = -0.9;      ///< the far side of a thin part ends no sheet
 constexpr std::size_t fewest_members = 3;
 constexpr std::size_t most_planes = 2;  ///< besides the own one: three make a corner
+constexpr double near_share = 0.8;      ///< of the reach, from a sheet to an edge or corner of it
 constexpr double clear_majority = 0.5;  ///< of the members, on one side of a plane
 constexpr double least_determinant = 0.1;
 
@@ -107,9 +108,15 @@ std::vector<CreaseFinder::Plane> CreaseFinder::find_planes(const Blend& blend, s
     plane.normal = unit(normals);
     plane.offset = dot(plane.normal, (1 / total) * center);
     plane.side = side_of(plane, own_members);
-    if (plane.side != 0) planes.push_back(std::move(plane));
+    planes.push_back(std::move(plane));
   }
   return planes;
+}
+
+bool CreaseFinder::comes_near(std::span<const Vec3> members, const Vec3& place) const {
+  return std::ranges::any_of(members, [&](const Vec3& p) {
+    return squared_norm(p - place) < near_share * near_share * reach() * reach();
+  });
 }
 
 Landing CreaseFinder::land(const Vec3& point, const Blend& blend, std::uint32_t own,
@@ -150,8 +157,11 @@ Landing CreaseFinder::land(const Vec3& point, const Blend& blend, std::uint32_t 
   const auto corner = intersection(self.normal, self.offset, planes[0].normal, planes[0].offset,
                                    planes[1].normal, planes[1].offset);
   if (!corner) return landing;
+  if (!comes_near(planes[0].members, *corner) || !comes_near(planes[1].members, *corner)) {
+    return landing;
+  }
   const bool beyond_both = std::ranges::all_of(planes, [&](const Plane& plane) {
-    return plane.distance(landing.place) * plane.side < 1e-9 * spacing_;
+    return plane.side != 0 && plane.distance(landing.place) * plane.side < 1e-9 * spacing_;
   });
   const double to_corner = norm(*corner - landing.place);
   if (beyond_both && to_corner < reach()) {
