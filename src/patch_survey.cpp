@@ -25,6 +25,13 @@ constexpr std::size_t fewest_places = 128;
 
 /// The place in the middle of some points.
 Vec3 middle_point(Points points, std::span<const std::uint32_t> some) {
+  if (some.size() <= 2) {
+    // Both are as far from their mean: rounding must not choose.
+    const auto place = [&](std::uint32_t i) {
+      return std::tie(points[i].x, points[i].y, points[i].z);
+    };
+    return points[*std::ranges::min_element(some, {}, place)];
+  }
   const Vec3 origin = points[some.front()];
   Vec3 sum;
   for (const std::uint32_t i : some) sum += points[i] - origin;
