@@ -33,6 +33,9 @@ constexpr double coarse_noise = 1;
 constexpr double clear = 3;
 constexpr double least_trust = 0.05;
 
+/// Every so many-th node is fitted at all scales in the first pass.
+constexpr std::size_t survey_step = 3;
+
 constexpr std::size_t blended = 100;  ///< nodes around a point that its landing is made of
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -87,8 +90,10 @@ std::vector<double> land(const AutomaticInput& input, const Levels& levels,
       const Blend blend =
           blend_sheets(input.points[i], result.points[i], own, near, sheets, scales);
       // Without a fit the place so far is the best that is known.
-      if (!blend.valid || !is_finite(blend.foot)) continue;
-      const Landing landing = finder.land(input.points[i], blend, own, near);
+      Landing landing{result.points[i], result.normals[i]};
+      if (blend.valid && is_finite(blend.foot)) {
+        landing = finder.land(input.points[i], blend, own, near);
+      }
       const Vec3 move = landing.place - input.points[i];
       const double distance = norm(move);
       places[i] = distance > input.max_move ? input.points[i] + (input.max_move / distance) * move
@@ -115,6 +120,7 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
   clock.time("pilot", [&] {
     Pilot pilot = find_pilot(input, part("pilot", 0, 0.4));
     lone = std::move(pilot.lone);
+    result.kept_normals = !input.normals.empty() && !pilot.merged;
     result.points = std::move(pilot.places);
     result.normals = std::move(pilot.normals);
     return 0;
@@ -127,15 +133,30 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
   const SheetFitter surveyor(first.fine, first.fine_tree, first.coarse, first.coarse_tree,
                              input.noise, first.spacing);
   std::vector<Sheet> sheets(first.fine.size());
-  std::vector<ScaleCurve> curves(first.fine.size());
+  // What fits of every size tell is pooled over many nodes, so not every node has to be asked.
+  std::vector<Vec3> surveyed((sheets.size() + survey_step - 1) / survey_step);
+  std::vector<Sheet> surveyed_sheets(surveyed.size());
+  std::vector<ScaleCurve> curves(surveyed.size());
   clock.time("fits", [&] {
-    parallel_blocks(
-        sheets.size(), part("fits", 0.42, 0.6), [&](std::size_t begin, std::size_t end) {
-          SheetFitter::Scratch scratch;
-          for (std::size_t i = begin; i < end; ++i) {
-            sheets[i] = surveyor.survey(static_cast<std::uint32_t>(i), scratch, curves[i]);
-          }
-        });
+    ScaleChoice small;
+    small.scale = coarse_scale - 1;
+    small.noise = input.noise;
+    small.curvature.fill(-1);
+    parallel_blocks(sheets.size(), part("fits", 0.42, 0.6),
+                    [&](std::size_t begin, std::size_t end) {
+                      SheetFitter::Scratch scratch;
+                      for (std::size_t i = begin; i < end; ++i) {
+                        const auto node = static_cast<std::uint32_t>(i);
+                        if (i % survey_step != 0) {
+                          sheets[i] = surveyor.fit(node, scratch, small);
+                          continue;
+                        }
+                        const std::size_t at = i / survey_step;
+                        sheets[i] = surveyor.survey(node, scratch, curves[at]);
+                        surveyed[at] = first.fine.places[i];
+                        surveyed_sheets[at] = sheets[i];
+                      }
+                    });
     return 0;
   });
   const std::vector<double> trust = clock.time(
@@ -145,9 +166,9 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
     return make_levels(input, result.points, result.normals, trust, part("fits", 0.65, 0.67));
   });
   clock.time("fits", [&] {
-    const std::vector<ScaleChoice> choices =
-        choose_scales(first.fine_tree, sheets, curves, second.fine.places, second.fine.normals,
-                      input.noise, first.points_per_coarse_node(), part("fits", 0.67, 0.72));
+    const std::vector<ScaleChoice> choices = choose_scales(
+        KdTree(surveyed, execution), surveyed_sheets, curves, second.fine.places,
+        second.fine.normals, input.noise, first.points_per_coarse_node(), part("fits", 0.67, 0.72));
     const SheetFitter fitter(second.fine, second.fine_tree, second.coarse, second.coarse_tree,
                              input.noise, second.spacing);
     sheets.assign(second.fine.size(), {});

@@ -24,6 +24,7 @@ struct AutomaticResult {
   std::vector<Vec3> points;
   std::vector<Vec3> normals;
   std::vector<Feature> labels;
+  bool kept_normals = false;  ///< whether it started from the normals of the input
 };
 
 /// The default method. See docs/method/automatic.md.

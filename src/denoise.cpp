@@ -90,11 +90,11 @@ void run_automatic(const AutoOptions& options, const WorkingSet& set, bool keep_
   report.noise = set.length(noise);
   report.max_move = set.length(max_move);
   if (!(estimate.spacing > 0)) return;
-  report.kept_normals = keep_normals;
   AutomaticResult result =
       denoise_automatically({points, normals, std::max(noise, least_noise * estimate.spacing),
                              estimate.spacing, max_move},
                             clock, sub_execution(execution, "denoise", 0.25, 1));
+  report.kept_normals = result.kept_normals;
   for (std::size_t at = 0; at < kept.size(); ++at) {
     state.points[kept[at]] = result.points[at];
     state.normals[kept[at]] = result.normals[at];

@@ -89,6 +89,7 @@ Pilot find_pilot(const AutomaticInput& input, const Execution& execution) {
   }
 
   Pilot pilot;
+  pilot.merged = merge;
   pilot.places.resize(input.points.size());
   pilot.normals.resize(input.points.size());
   pilot.lone.resize(input.points.size());

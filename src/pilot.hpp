@@ -13,6 +13,7 @@ struct Pilot {
   std::vector<Vec3> places;
   std::vector<Vec3> normals;  ///< unit, or zero where nothing is near
   std::vector<bool> lone;     ///< whether nothing is near to be compared with
+  bool merged = false;        ///< whether points were merged, and normals that were given dropped
 };
 
 /// Runs a few rounds of the published stages at the scale of the noise, over merged points where

@@ -10,8 +10,8 @@
 namespace deburr {
 namespace {
 
-constexpr std::size_t pooled_nodes = 100;
-constexpr double same_side = 0.7;  ///< cosine to the normal of a node whose curve counts
+constexpr std::size_t pooled_nodes = 33;  ///< of those surveyed
+constexpr double same_side = 0.7;         ///< cosine to the normal of a node whose curve counts
 
 /// A residual counts no more than so many times the noise: nodes at features must not decide.
 constexpr float most_residual = 4;
@@ -19,7 +19,7 @@ constexpr float most_residual_of_cloud = 3;
 constexpr float most_curvature = 8;
 
 /// Degrees of freedom that the residuals of small scales are averaged over for the local noise.
-constexpr double reference_freedom = 1500;
+constexpr double reference_freedom = 500;
 constexpr double least_noise = 0.6;  ///< local noise, as shares of that of the cloud
 constexpr double most_noise = 1.3;
 
@@ -30,7 +30,7 @@ constexpr double chance = 0.3;
 constexpr double free_excess = 0.01;
 constexpr double free_coarse_excess = 0.4;
 /// Squared error at the node itself over the mean squared misfit, after blending.
-constexpr double misfit_weight = 0.5;
+constexpr double misfit_weight = 0.8;
 
 /// Sums of curves.
 struct Pool {

@@ -37,7 +37,7 @@ constexpr double survey_excess = 3;    ///< a survey ends at so many times the v
 
 /// Quadratic terms are taken where they take off the squares so many times what noise would let
 /// them: for all nodes around together, or for this one on its own.
-constexpr float curved_together = 1.6F;
+constexpr float curved_together = 1.5F;
 constexpr double curved_alone = 3;
 constexpr double curved_unknown = 2;
 

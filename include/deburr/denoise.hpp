@@ -122,7 +122,7 @@ struct DenoiseResult {
 ///
 /// @throws std::invalid_argument  naming the option and the value, for an option out of its range
 /// @throws DataError  for NormalSource::Keep on a cloud without normals, neighbourhoods too large
-///                    for any memory (only without a limit on their number), or distances too
+///                    for any memory, or distances too
 ///                    large for a double (only by Method::Yadav2018)
 /// @throws Cancelled  when execution.cancelled says so
 [[nodiscard]] DenoiseResult denoise(const PointCloud& cloud, const DenoiseOptions& options = {},
