@@ -1,0 +1,5 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+int main() {}
