@@ -67,7 +67,7 @@ struct MadeUp {
     for (ScaleCurve& curve : curves) {
       for (std::size_t s = 0; s < sheet_scales; ++s) {
         const double area = std::pow(1.5, static_cast<double>(s));
-        curve.freedom[s] = static_cast<float>(12 * area);
+        curve.freedom[s] = static_cast<float>(120 * area);
         curve.variance[s] = static_cast<float>(0.2 / area);
         // The mean of ten points shows a misfit ten times as clearly.
         const float seen = s < coarse_scale ? misfit : 10 * misfit;
