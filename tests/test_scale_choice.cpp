@@ -30,7 +30,8 @@ std::vector<ScaleChoice> choices_on(const Sampled& truth, double sigma, double a
 }
 
 double mean_scale(const std::vector<ScaleChoice>& choices) {
-  return mean_of(choices.size(), [&](std::size_t i) { return double(choices[i].scale); });
+  return mean_of(choices.size(),
+                 [&](std::size_t i) { return static_cast<double>(choices[i].scale); });
 }
 
 TEST(ScaleChoice, IsLargeOnAPlaneAndSmallerOnWaves) {
@@ -88,7 +89,7 @@ TEST(ScaleChoice, IsTheLargestThatFits) {
     ASSERT_NEAR(choice.noise, 0.1, 1e-9);
     ASSERT_NEAR(choice.curvature[5], 1.25, 1e-6);
   }
-  for (const std::size_t from : {3, 5, 7}) {
+  for (const std::size_t from : {3U, 5U, 7U}) {
     for (const ScaleChoice& choice : MadeUp(from, 2).choose()) ASSERT_EQ(choice.scale, from - 1);
   }
 }

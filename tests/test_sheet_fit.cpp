@@ -68,7 +68,7 @@ TEST(SheetFit, IsTheSurerTheLargerItMayBe) {
   double last = 0;
   double first = 0;
   std::size_t grown = 0;
-  for (const std::size_t scale : {0, 3, 7, 10, 15}) {
+  for (const std::size_t scale : {0U, 3U, 7U, 10U, 15U}) {
     const double deviation = mean_of(100, [&](std::size_t i) {
       return std::sqrt(bench.fit(static_cast<std::uint32_t>(i) * 30, scale, 0).variance);
     });

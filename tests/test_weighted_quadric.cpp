@@ -50,8 +50,8 @@ TEST(WeightedQuadric, FindsAnExactQuadric) {
     const HeightQuadric truth{{0.3 * radius, -0.2, 0.7, 0.5 * bend, -0.4 * bend, 0.8 * bend}};
     const auto both = solve(samples_on(truth, radius, 60, 1), radius);
     EXPECT_NEAR(both.quadric.surface.c[0], truth.c[0], 1e-5 * radius);
-    for (const std::size_t k : {1, 2}) EXPECT_NEAR(both.quadric.surface.c[k], truth.c[k], 1e-5);
-    for (const std::size_t k : {3, 4, 5}) {
+    for (const std::size_t k : {1U, 2U}) EXPECT_NEAR(both.quadric.surface.c[k], truth.c[k], 1e-5);
+    for (const std::size_t k : {3U, 4U, 5U}) {
       EXPECT_NEAR(both.quadric.surface.c[k], truth.c[k], 3e-5 * bend);
     }
     EXPECT_LT(both.quadric.residual, 1e-5 * radius * radius);
@@ -62,11 +62,11 @@ TEST(WeightedQuadric, FindsAnExactQuadric) {
 TEST(WeightedQuadric, FindsAnExactPlane) {
   const HeightQuadric truth{{0.3, -0.2, 0.7, 0, 0, 0}};
   const auto both = solve(samples_on(truth, 1, 30, 2), 1);
-  for (const std::size_t k : {0, 1, 2}) {
+  for (const std::size_t k : {0U, 1U, 2U}) {
     EXPECT_NEAR(both.plane.surface.c[k], truth.c[k], 1e-8);
     EXPECT_NEAR(both.quadric.surface.c[k], truth.c[k], 1e-8);
   }
-  for (const std::size_t k : {3, 4, 5}) EXPECT_EQ(both.plane.surface.c[k], 0);
+  for (const std::size_t k : {3U, 4U, 5U}) EXPECT_EQ(both.plane.surface.c[k], 0);
   EXPECT_LT(both.plane.residual, 1e-8);
 }
 
