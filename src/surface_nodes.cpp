@@ -66,7 +66,8 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
   const double count = std::clamp(std::ceil(longest / cell), 1.0, most_cells);
   const double per_length = longest > 0 ? count / longest : 0;
   const auto along = [&](double v, double low) {
-    return static_cast<std::uint64_t>((v - low) * per_length);
+    // The far end of the box belongs to the last cell.
+    return static_cast<std::uint64_t>(std::min((v - low) * per_length, count - 1));
   };
   std::vector<Key> keys(places.size());
   for (std::uint32_t i = 0; i < keys.size(); ++i) {

@@ -1,63 +1,59 @@
 // SPDX-FileCopyrightText: 2026 The deburr authors
 // SPDX-License-Identifier: Apache-2.0
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <limits>
-#include <span>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
-#include "deburr/denoise.hpp"
 #include "support/compare.hpp"
-#include "support/same_cloud.hpp"
-#include "support/shapes.hpp"
+#include "support/denoise_laws.hpp"
 
 // What the result of the default method may depend on, and what not.
 
 namespace deburr {
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-DenoiseResult run(std::vector<Vec3> points, std::vector<Vec3> normals = {},
-                  const Execution& execution = {}) {
-  PointCloud cloud;
-  cloud.points = std::move(points);
-  cloud.normals = std::move(normals);
-  return denoise(cloud, {}, execution);
-}
-
-/// The noise is a third of the spacing.
-std::vector<Vec3> noisy_cube() { return with_noise(cube(1500, 1).points, 0.04, 2); }
-
-template <typename Value>
-std::vector<Value> picked(const std::vector<Value>& values, std::span<const std::uint32_t> order) {
-  std::vector<Value> result;
-  for (const std::uint32_t i : order) result.push_back(values[i]);
-  return result;
-}
-
-void expect_same_result(const DenoiseResult& a, const DenoiseResult& b) {
-  EXPECT_TRUE(same_values(a.cloud.points, b.cloud.points));
-  EXPECT_TRUE(same_values(a.cloud.normals, b.cloud.normals));
-  EXPECT_TRUE(same_values(a.displacement, b.displacement));
-  EXPECT_EQ(a.labels, b.labels);
-}
-
-TEST(DenoiseLaws, CommutesWithRigidMotions) {
-  const std::vector<Vec3> points = noisy_cube();
+// Its grids follow the axes and the noise is sampled along a curve through space: a turned cloud
+// comes out a little differently, but no worse.
+TEST(DenoiseLaws, GivesATurnedCloudAsGoodAResult) {
+  const std::vector<Vec3> points = with_noise(cube(1500, 1).points, 0.04, 2);
   const DenoiseResult still = run(points);
-  for (unsigned seed = 3; seed < 6; ++seed) {
+  const auto error = [](Points places) {
+    return mean_of(places.size(), [&](std::size_t i) { return distance_to_cube(places[i]); });
+  };
+  const double before = error(still.cloud.points);
+  constexpr int turns = 6;
+  double after = 0;
+  for (unsigned seed = 3; seed < 3 + turns; ++seed) {
     const Rotation turn = random_rotation(seed);
     const Vec3 shift = 3.0 * random_directions(1, seed)[0];
-    const auto motion = [&](const Vec3& p) { return turn(p) + shift; };
-    const DenoiseResult moved = run(mapped(points, motion));
-    EXPECT_LE(max_difference(moved.cloud.points, mapped(still.cloud.points, motion)), 1e-10);
-    EXPECT_LE(max_difference_of_lines(moved.cloud.normals, mapped(still.cloud.normals, turn)),
-              1e-9);
-    EXPECT_EQ(moved.labels, still.labels);
+    const auto back = [&](const Vec3& p) {
+      const Vec3 q = p - shift;
+      return q.x * turn.rows[0] + q.y * turn.rows[1] + q.z * turn.rows[2];
+    };
+    const DenoiseResult turned =
+        run(mapped(points, [&](const Vec3& p) { return turn(p) + shift; }));
+    const std::vector<Vec3> places = mapped(turned.cloud.points, back);
+    after += error(places) / turns;
+    // Among so few points chance makes 0.93 to 1.18 of it.
+    EXPECT_LT(error(places), 1.25 * before) << seed;
+    const double square = mean_of(
+        1500, [&](std::size_t i) { return squared_norm(places[i] - still.cloud.points[i]); });
+    EXPECT_LT(std::sqrt(square), 0.3 * 0.04) << seed;
+    EXPECT_NEAR(turned.report.noise, still.report.noise, 0.03 * still.report.noise) << seed;
   }
+  EXPECT_NEAR(after, before, 0.1 * before);
+}
+
+TEST(DenoiseLaws, CommutesWithAShift) {
+  const std::vector<Vec3> points = noisy_cube();
+  const DenoiseResult still = run(points);
+  const auto shift = [](const Vec3& p) { return p + Vec3{0.3, -11.7, 5.1}; };
+  const DenoiseResult shifted = run(mapped(points, shift));
+  EXPECT_LE(max_difference(shifted.cloud.points, mapped(still.cloud.points, shift)), 1e-10);
+  EXPECT_EQ(shifted.labels, still.labels);
+  EXPECT_EQ(shifted.outliers, still.outliers);
 }
 
 TEST(DenoiseLaws, CommutesExactlyWithPowersOfTwo) {
@@ -110,62 +106,9 @@ TEST(DenoiseLaws, DoesNotDependOnTheOrderOfThePoints) {
     expected.cloud.normals = picked(plain.cloud.normals, order);
     expected.displacement = picked(plain.displacement, order);
     expected.labels = picked(plain.labels, order);
+    expected.outliers = picked(plain.outliers, order);
     expect_same_result(run(picked(points, order)), expected);
   }
-}
-
-TEST(DenoiseLaws, DoesNotDependOnTheOrderOfPointsWithNormals) {
-  const Sampled truth = cube(1500, 10);
-  const std::vector<Vec3> points = with_noise(truth.points, 0.04, 11);
-  const std::vector<Vec3> normals = tilted(truth.normals, 0.3, 12);
-  const std::vector<std::uint32_t> order = random_permutation(points.size(), 13);
-  const DenoiseResult plain = run(points, normals);
-  const DenoiseResult shuffled = run(picked(points, order), picked(normals, order));
-  EXPECT_TRUE(same_values(shuffled.cloud.points, picked(plain.cloud.points, order)));
-  EXPECT_TRUE(same_values(shuffled.cloud.normals, picked(plain.cloud.normals, order)));
-  EXPECT_TRUE(plain.report.kept_normals);
-}
-
-TEST(DenoiseLaws, DoesNotDependOnTheSignsOfTheNormals) {
-  const Sampled truth = cube(1500, 14);
-  const std::vector<Vec3> points = with_noise(truth.points, 0.04, 15);
-  const std::vector<Vec3> normals = tilted(truth.normals, 0.3, 16);
-  const DenoiseResult plain = run(points, normals);
-  for (unsigned seed = 17; seed < 20; ++seed) {
-    expect_same_result(run(points, with_random_signs(normals, seed)), plain);
-  }
-}
-
-/// Exactly perpendicular neighbours: no sign can be passed on between the faces of a cube.
-TEST(DenoiseLaws, DoesNotDependOnTheSignsOfPerpendicularNormals) {
-  const Sampled exact = cube(1500, 1);
-  const std::vector<Vec3> points = with_noise(exact.points, 0.01, 2);
-  expect_same_result(run(points, with_random_signs(exact.normals, 3)),
-                     run(points, with_random_signs(exact.normals, 4)));
-}
-
-TEST(DenoiseLaws, EstimatesTheNormalsThatAreMissing) {
-  const std::vector<Vec3> points = noisy_cube();
-  const std::vector<Vec3> none(points.size());
-  const std::vector<Vec3> broken(points.size(), Vec3{not_a_number, 0, 1});
-  const DenoiseResult estimated = run(points);
-  expect_same_result(run(points, none), estimated);
-  expect_same_result(run(points, broken), estimated);
-}
-
-TEST(DenoiseLaws, DoesNotDependOnTheOrderOfDuplicatesWithOtherNormals) {
-  const Sampled exact = cube(800, 1);
-  std::vector<Vec3> points = with_noise(exact.points, 0.02, 2);
-  std::vector<Vec3> normals = exact.normals;
-  points.insert(points.end(), points.begin(), points.begin() + 800);
-  const std::vector<Vec3> others = tilted(exact.normals, 0.3, 5);
-  normals.insert(normals.end(), others.begin(), others.end());
-  DenoiseResult there = run(points, normals);
-  std::ranges::reverse(points);
-  std::ranges::reverse(normals);
-  const DenoiseResult back = run(points, normals);
-  std::ranges::reverse(there.cloud.points);
-  EXPECT_EQ(there.cloud.points, back.cloud.points);
 }
 
 TEST(DenoiseLaws, IsTheSameForAnyNumberOfThreads) {
@@ -231,7 +174,9 @@ TEST(DenoiseLaws, LeavesLonePointsAsTheyAre) {
     EXPECT_TRUE(same_bits(result.cloud.points[i], lone[k]));
     EXPECT_EQ(result.labels[i], Feature::Isolated);
     EXPECT_EQ(result.displacement[i], 0);
+    EXPECT_EQ(result.outliers[i], 1);
   }
+  EXPECT_EQ(result.report.outliers, lone.size());
 }
 
 }  // namespace

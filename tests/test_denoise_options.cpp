@@ -30,22 +30,18 @@ std::string error_after(const Change& change) {
 TEST(DenoiseOptions, NamesTheWrongOption) {
   const double nan = std::nan("");
   EXPECT_EQ(error_after([](auto&, auto&) {}), "");
-  EXPECT_EQ(error_after([](auto& a, auto&) { a.rounds = -1; }),
-            "automatic.rounds must be >= 0, got -1");
-  EXPECT_EQ(error_after([](auto& a, auto&) { a.normal_neighbors = 2; }),
-            "automatic.normal_neighbors must be >= 3, got 2");
-  EXPECT_EQ(error_after([](auto& a, auto&) { a.radius = 0; }),
-            "automatic.radius must be finite and > 0, got 0");
-  EXPECT_EQ(error_after([](auto& a, auto&) { a.max_neighbors = 2; }),
-            "automatic.max_neighbors must be >= 3, got 2");
-  EXPECT_EQ(error_after([](auto& a, auto&) { a.position_scale = -1; }),
-            "automatic.position_scale must be finite and > 0, got -1");
-  EXPECT_EQ(error_after([&](auto& a, auto&) { a.normal_scale = nan; }),
-            "automatic.normal_scale must be finite and > 0, got nan");
-  EXPECT_EQ(error_after([](auto& a, auto&) { a.step = 1.5; }),
-            "automatic.step must be in (0, 1], got 1.5");
+  EXPECT_EQ(error_after([](auto& a, auto&) { a.strength = 0; }),
+            "automatic.strength must be in [1, 5], got 0");
+  EXPECT_EQ(error_after([](auto& a, auto&) { a.strength = 6; }),
+            "automatic.strength must be in [1, 5], got 6");
+  EXPECT_EQ(error_after([](auto& a, auto&) { a.noise = -1; }),
+            "automatic.noise must be finite and >= 0, got -1");
+  EXPECT_EQ(error_after([&](auto& a, auto&) { a.noise = nan; }),
+            "automatic.noise must be finite and >= 0, got nan");
+  EXPECT_EQ(error_after([](auto& a, auto&) { a.max_move = -0.5; }),
+            "automatic.max_move must be finite and >= 0, got -0.5");
   EXPECT_EQ(error_after([](auto& a, auto&) { a.max_move = HUGE_VAL; }),
-            "automatic.max_move must be finite and > 0, got inf");
+            "automatic.max_move must be finite and >= 0, got inf");
 }
 
 TEST(DenoiseOptions, NamesTheWrongOptionOfThePublishedMethod) {

@@ -54,6 +54,7 @@ std::string shown(Offset v) { return v == Offset::Symmetric ? "Symmetric" : "Pro
 std::string shown(Quadric v) { return v == Quadric::Guarded ? "Guarded" : "Plain"; }
 std::string shown(Bound v) { return v == Bound::Clamp ? "Clamp" : "Reject"; }
 std::string shown(Method v) { return v == Method::Auto ? "Auto" : "Yadav2018"; }
+std::string shown(OutlierAction v) { return v == OutlierAction::Label ? "Label" : "another"; }
 std::string shown(NormalSource v) { return v == NormalSource::Auto ? "Auto" : "another"; }
 
 /// Converts to whatever a field of a struct is.
@@ -125,14 +126,10 @@ Defaults defaults() {
                        {"yadav2018", "below"}});
   const AutoOptions& automatic = denoise.automatic;
   add<AutoOptions>(all, "automatic",
-                   {{"rounds", shown(automatic.rounds)},
-                    {"normal_neighbors", shown(automatic.normal_neighbors)},
-                    {"radius", shown(automatic.radius)},
-                    {"max_neighbors", shown(automatic.max_neighbors)},
-                    {"position_scale", shown(automatic.position_scale)},
-                    {"normal_scale", shown(automatic.normal_scale)},
-                    {"step", shown(automatic.step)},
-                    {"max_move", shown(automatic.max_move)}});
+                   {{"strength", shown(automatic.strength)},
+                    {"noise", shown(automatic.noise)},
+                    {"max_move", shown(automatic.max_move)},
+                    {"outliers", shown(automatic.outliers)}});
   const Yadav2018Options& yadav = denoise.yadav2018;
   add<Yadav2018Options>(all, "yadav2018",
                         {{"k", shown(yadav.k)},

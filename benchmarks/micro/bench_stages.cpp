@@ -9,18 +9,25 @@
 
 #include "deburr/deburr.hpp"
 
-// The stages of the default method, each on its own, on the synthetic part. Parameters are those
-// that denoise() chooses for it.
+// The stages of the library, each on its own, on the synthetic part.
 
 namespace {
 
 using benchmark::State;
 
+constexpr std::size_t normal_neighbors = 30;
+constexpr std::size_t most_neighbors = 256;
+
+// In mean distances to the 12 nearest points.
+constexpr double radius = 3.5;
+constexpr double position_scale = 1.5;
+constexpr double max_move = 2;
+
 /// What the stages take from each other, made once for each size.
 struct Input {
   explicit Input(std::size_t count)
       : points(deburr::synthesize_part({.points = count}).cloud.points),
-        nearest(deburr::find_neighbors(points, {.max_count = automatic.normal_neighbors})),
+        nearest(deburr::find_neighbors(points, {.max_count = normal_neighbors})),
         spacing(deburr::mean_neighbor_distance(points,
                                                deburr::find_neighbors(points, {.max_count = 12}))),
         neighborhoods(deburr::find_neighbors(points, around())),
@@ -28,10 +35,9 @@ struct Input {
         features(deburr::classify_features(points, normals, neighborhoods)) {}
 
   [[nodiscard]] deburr::NeighborOptions around() const {
-    return {.max_count = automatic.max_neighbors, .radius = automatic.radius * spacing};
+    return {.max_count = most_neighbors, .radius = radius * spacing};
   }
 
-  deburr::AutoOptions automatic;
   std::vector<deburr::Vec3> points;
   deburr::Neighborhoods nearest;
   double spacing;
@@ -70,7 +76,7 @@ void orientation(State& state) {
 void normal_refit(State& state) {
   measure(state, [](const Input& in) {
     return deburr::refit_normals(in.points, in.normals, in.neighborhoods,
-                                 {.position_scale = in.automatic.position_scale * in.spacing});
+                                 {.position_scale = position_scale * in.spacing});
   });
 }
 
@@ -87,9 +93,9 @@ void features(State& state) {
 
 void positions(State& state) {
   measure(state, [](const Input& in) {
-    return deburr::update_positions(in.points, in.points, in.normals, in.features, in.neighborhoods,
-                                    {.position_scale = in.automatic.position_scale * in.spacing,
-                                     .max_move = in.automatic.max_move * in.spacing});
+    return deburr::update_positions(
+        in.points, in.points, in.normals, in.features, in.neighborhoods,
+        {.position_scale = position_scale * in.spacing, .max_move = max_move * in.spacing});
   });
 }
 

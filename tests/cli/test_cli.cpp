@@ -46,7 +46,8 @@ TEST_F(CliTest, DenoiseWritesWhatTheLibraryReturns) {
   EXPECT_THAT(outcome.out, IsEmpty());
   EXPECT_THAT(outcome.err, HasSubstr("in.ply: 2000 points, spacing"));
   EXPECT_THAT(outcome.err,
-              HasSubstr("written to out.ply with nx ny nz deburr_label deburr_displacement"));
+              HasSubstr("written to out.ply with nx ny nz deburr_label deburr_displacement "
+                        "deburr_outlier"));
 
   const DenoiseResult expected = denoise(cloud);
   const PointCloud written = read_cloud("out.ply");
@@ -86,6 +87,32 @@ TEST_F(CliTest, DenoiseHandsEveryOptionOn) {
                                              .rebuild = true,
                                              .in_place = false}};
   EXPECT_TRUE(read_cloud("out.ply").points == denoise(cloud, options).cloud.points);
+}
+
+TEST_F(CliTest, DenoiseHandsTheOptionsOfTheDefaultMethodOn) {
+  const PointCloud cloud =
+      synthesize_part({.points = 1500, .noise = 0.004, .outliers = 0.05}).cloud;
+  write_cloud("in.ply", cloud);
+  ASSERT_EQ(run_program({"denoise", "in.ply", "out.ply", "--strength", "4", "--max-move", "0.75",
+                         "--noise", "0.4", "--outliers", "remove"})
+                .exit_code,
+            0);
+  const DenoiseOptions options{
+      .automatic = {
+          .strength = 4, .noise = 0.4, .max_move = 0.75, .outliers = OutlierAction::Remove}};
+  const DenoiseResult expected = denoise(cloud, options);
+  EXPECT_TRUE(read_cloud("out.ply").points == expected.cloud.points);
+  EXPECT_GT(expected.report.outliers, 10U);
+  EXPECT_EQ(expected.cloud.size(), cloud.size() - expected.report.outliers);
+}
+
+TEST_F(CliTest, DenoiseMarksOutliersWhereItIsAsked) {
+  const PointCloud cloud =
+      synthesize_part({.points = 1500, .noise = 0.004, .outliers = 0.05}).cloud;
+  write_cloud("in.ply", cloud);
+  ASSERT_EQ(run_program({"denoise", "in.ply", "out.ply", "--add", "outlier"}).exit_code, 0);
+  const PointCloud written = read_cloud("out.ply");
+  EXPECT_EQ(values_of<std::uint8_t>(written, "deburr_outlier"), denoise(cloud).outliers);
 }
 
 TEST_F(CliTest, DenoiseGivesTheSameBytesForAnyNumberOfThreads) {
@@ -152,7 +179,7 @@ TEST_F(CliTest, DenoiseTakesItsOwnOutputInPlace) {
   for (int run = 0; run < 2; ++run) {
     ASSERT_EQ(run_program({"denoise", "scan.ply", "scan.ply"}).exit_code, 0);
     EXPECT_THAT(attribute_names(read_cloud("scan.ply")),
-                ElementsAre("deburr_label", "deburr_displacement"));
+                ElementsAre("deburr_label", "deburr_displacement", "deburr_outlier"));
   }
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator("."), {}), 1);
 }
@@ -179,7 +206,11 @@ TEST_F(CliTest, DenoiseTellsItsSummaryAsJson) {
   EXPECT_EQ(summary["rounds"].size(), expected.report.rounds.size());
   EXPECT_EQ(summary["labels"]["surface"], expected.report.labels[0]);
   EXPECT_EQ(summary["options"]["method"], "auto");
-  EXPECT_EQ(summary["options"]["rounds"], AutoOptions{}.rounds);
+  EXPECT_EQ(summary["outliers"], expected.report.outliers);
+  EXPECT_EQ(summary["options"]["strength"], AutoOptions{}.strength);
+  EXPECT_EQ(summary["options"]["max_move"], AutoOptions{}.max_move);
+  EXPECT_EQ(summary["options"]["noise"], AutoOptions{}.noise);
+  EXPECT_EQ(summary["options"]["outliers"], "label");
   double squares = 0;
   for (const double moved : expected.displacement) squares += moved * moved;
   EXPECT_DOUBLE_EQ(summary["rms_displacement"], std::sqrt(squares / 499));

@@ -73,26 +73,35 @@ TEST_F(CliErrors, OptionsOutOfRangeAreExitCode2) {
   expect_failure(yadav("--tau", "nan"), 2, "yadav2018.tau");
   expect_failure(yadav("--k", "2"), 2, "yadav2018.k");
   expect_failure(yadav("--rounds", "-1"), 2, "yadav2018.rounds");
-  expect_failure({"denoise", "scan.ply", "out.ply", "--rounds", "-1"}, 2, "rounds");
+  expect_failure({"denoise", "scan.ply", "out.ply", "--strength", "6"}, 2, "strength");
+  expect_failure({"denoise", "scan.ply", "out.ply", "--max-move", "-1"}, 2, "max_move");
+  expect_failure({"denoise", "scan.ply", "out.ply", "--noise", "nan"}, 2, "noise");
   expect_failure({"synth", "part", "out.ply", "--noise", "-1"}, 2, "noise");
 }
 
 // The range is looked at before the file, which may take long to read.
 TEST_F(CliErrors, OptionsAreCheckedBeforeTheInputIsRead) {
-  expect_failure({"denoise", "broken.ply", "out.ply", "--rounds", "-1"}, 2, "rounds");
+  expect_failure({"denoise", "broken.ply", "out.ply", "--strength", "0"}, 2, "strength");
   expect_failure({"denoise", "broken.ply", "out.docx"}, 2, "out.docx: the extension");
   expect_failure({"denoise", "broken.ply", "no/out.ply"}, 3, "no/out.ply");
 }
 
 TEST_F(CliErrors, OptionsOfTheOtherMethodAreExitCode2) {
   for (const std::string option :
-       {"--k", "--rho", "--tau", "--damping", "--alpha", "--epsilon", "--radius"}) {
+       {"--rounds", "--k", "--rho", "--tau", "--damping", "--alpha", "--epsilon", "--radius"}) {
     expect_failure({"denoise", "scan.ply", "out.ply", option, "1"}, 2,
                    option + " belongs to --method yadav2018");
   }
   expect_failure({"denoise", "scan.ply", "out.ply", "--update", "in-place"}, 2, "--update belongs");
   expect_failure({"denoise", "scan.ply", "out.ply", "--neighborhoods", "once"}, 2,
                  "--neighborhoods belongs");
+  for (const std::string option : {"--strength", "--max-move", "--noise"}) {
+    expect_failure({"denoise", "scan.ply", "out.ply", "--method", "yadav2018", option, "1"}, 2,
+                   option + " belongs to --method auto");
+  }
+  expect_failure(
+      {"denoise", "scan.ply", "out.ply", "--method", "yadav2018", "--outliers", "remove"}, 2,
+      "--outliers belongs");
 }
 
 TEST_F(CliErrors, FilesAreExitCode3) {

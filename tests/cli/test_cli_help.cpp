@@ -58,8 +58,11 @@ TEST(CliHelp, ShowsTheDefaultsOfTheLibrary) {
   expect(denoise, "--alpha X", yadav.alpha);
   expect(denoise, "--epsilon X", yadav.epsilon);
   expect(denoise, "--radius X", yadav.radius);
-  expect(denoise, "--rounds N",
-         fmt::format("{}; yadav2018: {}", AutoOptions{}.rounds, yadav.rounds));
+  expect(denoise, "--rounds N", yadav.rounds);
+  expect(denoise, "--strength N", AutoOptions{}.strength);
+  expect(denoise, "--noise X", AutoOptions{}.noise);
+  expect(denoise, "--max-move X", AutoOptions{}.max_move);
+  EXPECT_THAT(denoise, HasSubstr("--outliers label|remove|keep [label]"));
   EXPECT_THAT(denoise, HasSubstr(fmt::format("--neighborhoods once|per-round [{}]",
                                              yadav.rebuild ? "per-round" : "once")));
   EXPECT_THAT(denoise, HasSubstr(fmt::format("--update in-place|simultaneous [{}]",

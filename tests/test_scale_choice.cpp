@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "scale_choice.hpp"
+#include "support/compare.hpp"
+#include "support/fit_bench.hpp"
+
+namespace deburr {
+namespace {
+
+constexpr std::size_t count = 4000;
+const double spacing = 1 / std::sqrt(double{count});
+
+std::vector<ScaleChoice> choices_on(const Sampled& truth, double sigma, double assumed) {
+  const FitBench bench(truth, spacing, sigma, 2);
+  // The fits are told of another noise than there is.
+  const SheetFitter fitter(bench.fine, bench.fine_tree, bench.coarse, bench.coarse_tree, assumed,
+                           spacing);
+  std::vector<Sheet> sheets(count);
+  std::vector<ScaleCurve> curves(count);
+  SheetFitter::Scratch scratch;
+  for (std::uint32_t i = 0; i < count; ++i) sheets[i] = fitter.survey(i, scratch, curves[i]);
+  return choose_scales(bench.fine_tree, sheets, curves, bench.fine.places, bench.fine.normals,
+                       assumed, bench.points_per_coarse_node(), {});
+}
+
+double mean_scale(const std::vector<ScaleChoice>& choices) {
+  return mean_of(choices.size(),
+                 [&](std::size_t i) { return static_cast<double>(choices[i].scale); });
+}
+
+TEST(ScaleChoice, IsLargeOnAPlaneAndSmallerOnWaves) {
+  for (const double noise : {0.3, 0.6}) {
+    const double flat =
+        mean_scale(choices_on(flat_square(count, 1), noise * spacing, noise * spacing));
+    const double wavy =
+        mean_scale(choices_on(wavy_square(count, 1), noise * spacing, noise * spacing));
+    EXPECT_GT(flat, 10) << noise;
+    EXPECT_LT(wavy, flat - 3) << noise;
+  }
+}
+
+TEST(ScaleChoice, FindsTheNoiseOfThePlace) {
+  const double sigma = 0.5 * spacing;
+  for (const double factor : {0.85, 1.0, 1.3}) {
+    const auto choices = choices_on(flat_square(count, 3), sigma, factor * sigma);
+    EXPECT_NEAR(mean_of(count, [&](std::size_t i) { return choices[i].noise; }), sigma,
+                0.06 * sigma)
+        << factor;
+  }
+}
+
+/// Curves of nodes whose fits have a variance that falls and residuals that rise with the scale.
+struct MadeUp {
+  std::vector<Vec3> places = flat_square(400, 4).points;
+  std::vector<Vec3> normals = std::vector<Vec3>(400, Vec3{0, 0, 1});
+  std::vector<Sheet> sheets = std::vector<Sheet>(400);
+  std::vector<ScaleCurve> curves = std::vector<ScaleCurve>(400);
+
+  /// @param misfit  at the scales from `from` on
+  MadeUp(std::size_t from, float misfit) {
+    for (Sheet& sheet : sheets) sheet.frame.w = {0, 0, 1};
+    for (ScaleCurve& curve : curves) {
+      for (std::size_t s = 0; s < sheet_scales; ++s) {
+        const double area = std::pow(1.5, static_cast<double>(s));
+        curve.freedom[s] = static_cast<float>(120 * area);
+        curve.variance[s] = static_cast<float>(0.2 / area);
+        // The mean of ten points shows a misfit ten times as clearly.
+        const float seen = s < coarse_scale ? misfit : 10 * misfit;
+        curve.residual[s] = s < from ? 1 : 1 + seen;
+        curve.curvature[s] = 1.25;
+      }
+    }
+  }
+  [[nodiscard]] std::vector<ScaleChoice> choose() const {
+    const KdTree tree(places);
+    return choose_scales(tree, sheets, curves, places, normals, 0.1, 10, {});
+  }
+};
+
+TEST(ScaleChoice, IsTheLargestThatFits) {
+  for (const ScaleChoice& choice : MadeUp(sheet_scales, 0).choose()) {
+    ASSERT_EQ(choice.scale, sheet_scales - 1);
+    ASSERT_NEAR(choice.noise, 0.1, 1e-9);
+    ASSERT_NEAR(choice.curvature[5], 1.25, 1e-6);
+  }
+  for (const std::size_t from : {3U, 5U, 7U}) {
+    for (const ScaleChoice& choice : MadeUp(from, 2).choose()) ASSERT_EQ(choice.scale, from - 1);
+  }
+}
+
+// A misfit of 0.001 does not weigh up against what a larger fit takes off the noise.
+TEST(ScaleChoice, WeighsMisfitAgainstVariance) {
+  for (const ScaleChoice& choice : MadeUp(5, 0.001F).choose()) {
+    ASSERT_EQ(choice.scale, sheet_scales - 1);
+  }
+}
+
+TEST(ScaleChoice, DoesNotListenToTheOtherSide) {
+  MadeUp made(3, 2);
+  const MadeUp other(7, 2);
+  for (std::size_t i = 0; i < 400; ++i) {
+    if (i % 8 == 0) continue;
+    made.sheets[i].frame.w = {0, 0, -1};
+    made.normals[i] = {0, 0, -1};
+    made.curves[i] = other.curves[i];
+  }
+  const std::vector<ScaleChoice> choices = made.choose();
+  for (std::size_t i = 0; i < 400; ++i) ASSERT_EQ(choices[i].scale, i % 8 == 0 ? 2U : 6U);
+}
+
+TEST(ScaleChoice, HasADefaultWithoutCurves) {
+  MadeUp made(sheet_scales, 0);
+  made.curves.assign(400, {});
+  for (const ScaleChoice& choice : made.choose()) {
+    ASSERT_EQ(choice.noise, 0.1);
+    ASSERT_LT(choice.scale, sheet_scales);
+    ASSERT_LT(choice.curvature[0], 0);
+  }
+}
+
+}  // namespace
+}  // namespace deburr
