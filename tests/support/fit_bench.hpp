@@ -30,8 +30,8 @@ struct FitBench {
       : spacing(point_spacing),
         noise(sigma),
         fine(nodes_of_points(with_noise(truth.points, sigma, seed), truth.points, truth.normals)),
-        coarse(merge_into_cells(fine.measured, fine.places, fine.normals, fine.weights, 3 * spacing,
-                                {})),
+        coarse(merge_into_cells(fine.measured, fine.places, fine.normals, fine.weights, {},
+                                3 * spacing, {})),
         fine_tree(fine.places),
         coarse_tree(coarse.places),
         fitter(fine, fine_tree, coarse, coarse_tree, noise, spacing) {}
