@@ -155,12 +155,20 @@ void run(const DenoiseArgs& args) {
   const std::size_t points = result.cloud.size();
   if (std::ranges::any_of(result.cloud.points, is_finite)) {
     const bool had_normals = !result.cloud.normals.empty();
+    const std::vector<Element> elements = result.cloud.layout.elements;
     try {
       result = denoise(result.cloud, args.options, execution);
     } catch (const DataError& error) {
       throw DataError(args.input + ": " + error.what());
     }
     summary.report = std::move(result.report);
+    if (result.cloud.layout.elements.empty()) {
+      for (const Element& element : elements) {
+        summary.warnings.push_back(
+            fmt::format("{}: {} left out, which may refer to points that are removed", args.input,
+                        element.name));
+      }
+    }
     summarize_displacement(result, summary);
     summary.added = add_fields(result, add, had_normals);
   } else {

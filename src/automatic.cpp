@@ -57,6 +57,11 @@ struct Levels {
         coarse_tree(coarse.places, execution),
         spacing(node_spacing) {}
 
+  // The trees look at the nodes: a copy would look at those of another.
+  Levels(const Levels&) = delete;
+  Levels& operator=(const Levels&) = delete;
+  ~Levels() = default;
+
   [[nodiscard]] double points_per_coarse_node() const {
     return static_cast<double>(fine.size()) / static_cast<double>(coarse.size());
   }
@@ -70,7 +75,7 @@ Levels make_levels(const AutomaticInput& input, Points places, Normals normals,
                              : nodes_of_points(input.points, places, normals, trust);
   const double per_node =
       static_cast<double>(input.points.size()) / static_cast<double>(nodes.size());
-  return {std::move(nodes), input, input.spacing * std::sqrt(per_node), execution};
+  return Levels(std::move(nodes), input, input.spacing * std::sqrt(per_node), execution);
 }
 
 /// Lands every point on the sheets around it.
@@ -120,16 +125,15 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
   clock.time("pilot", [&] {
     Pilot pilot = find_pilot(input, part("pilot", 0, 0.4));
     lone = std::move(pilot.lone);
-    result.kept_normals = !input.normals.empty() && !pilot.merged;
+    result.kept_normals = !pilot.merged && !std::ranges::all_of(input.normals, is_zero);
     result.points = std::move(pilot.places);
     result.normals = std::move(pilot.normals);
     return 0;
   });
 
   // A first pass tells how fits of every size fare, the second takes the best of them.
-  const Levels first = clock.time("fits", [&] {
-    return make_levels(input, result.points, result.normals, {}, part("fits", 0.4, 0.42));
-  });
+  const Levels first =
+      make_levels(input, result.points, result.normals, {}, part("fits", 0.4, 0.42));
   const SheetFitter surveyor(first.fine, first.fine_tree, first.coarse, first.coarse_tree,
                              input.noise, first.spacing);
   std::vector<Sheet> sheets(first.fine.size());
@@ -162,9 +166,8 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
   const std::vector<double> trust = clock.time(
       "landing", [&] { return land(input, first, sheets, result, part("landing", 0.6, 0.65)); });
 
-  const Levels second = clock.time("fits", [&] {
-    return make_levels(input, result.points, result.normals, trust, part("fits", 0.65, 0.67));
-  });
+  const Levels second =
+      make_levels(input, result.points, result.normals, trust, part("fits", 0.65, 0.67));
   clock.time("fits", [&] {
     const std::vector<ScaleChoice> choices = choose_scales(
         KdTree(surveyed, execution), surveyed_sheets, curves, second.fine.places,

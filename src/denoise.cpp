@@ -3,7 +3,9 @@
 #include "deburr/denoise.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "automatic.hpp"
@@ -82,18 +84,22 @@ void run_automatic(const AutoOptions& options, const WorkingSet& set, bool keep_
                     sub_execution(execution, "spacing and noise", 0.15, 0.2));
     return measure_noise(points, sub_execution(execution, "noise", 0.2, 0.25));
   });
-  const double found =
-      options.noise > 0 ? std::scalbn(options.noise, -set.exponent) : estimate.sigma;
-  const double noise = found * std::pow(2.0, 0.5 * (options.strength - 3));
-  const double max_move =
-      options.max_move > 0 ? std::scalbn(options.max_move, -set.exponent) : most_deviations * noise;
+  // Given lengths may be of any size; the points lie within a box of 4.
+  const auto local = [&](double length) {
+    return std::min(std::scalbn(length, -set.exponent), 4.0);
+  };
+  const double spacing =
+      estimate.spacing > 0 || options.noise == 0 ? estimate.spacing : local(report.spacing);
+  if (!(spacing > 0)) return;
+  constexpr std::array by_strength{0.5, 1 / std::numbers::sqrt2, 1.0, std::numbers::sqrt2, 2.0};
+  const double noise = (options.noise > 0 ? local(options.noise) : estimate.sigma) *
+                       by_strength.at(static_cast<std::size_t>(options.strength - 1));
+  const double max_move = options.max_move > 0 ? local(options.max_move) : most_deviations * noise;
   report.noise = set.length(noise);
   report.max_move = set.length(max_move);
-  if (!(estimate.spacing > 0)) return;
-  AutomaticResult result =
-      denoise_automatically({points, normals, std::max(noise, least_noise * estimate.spacing),
-                             estimate.spacing, max_move},
-                            clock, sub_execution(execution, "denoise", 0.25, 1));
+  AutomaticResult result = denoise_automatically(
+      {points, normals, std::max(noise, least_noise * spacing), spacing, max_move}, clock,
+      sub_execution(execution, "denoise", 0.25, 1));
   report.kept_normals = result.kept_normals;
   for (std::size_t at = 0; at < kept.size(); ++at) {
     state.points[kept[at]] = result.points[at];
@@ -117,7 +123,9 @@ void fill_result(const WorkingSet& set, const State& state, std::span<const std:
     result.outliers[i] = outliers[slot];
     if (cloud.points[i] == before) continue;
     // In local coordinates, where no square overflows.
-    result.displacement[i] = set.length(norm(state.points[slot] - set.points[slot]));
+    const double moved = set.length(norm(state.points[slot] - set.points[slot]));
+    // A move that was cut at the bound is as long as it but for rounding.
+    result.displacement[i] = std::min(moved, result.report.max_move);
   }
 }
 

@@ -16,18 +16,18 @@ namespace deburr {
 namespace {
 
 /// Cells along one side of the box: more would not fit into the numbers that follow.
-constexpr double most_cells = 1 << 20;
+constexpr double most_cells = 0x1p31;
 
 struct Key {
-  std::uint64_t cell;  ///< 21 bits for each axis
-  std::uint32_t side;  ///< of six: the largest component of the normal and its sign
+  std::uint32_t x, y, z;  ///< of the cell
+  std::uint32_t side;     ///< of six: the largest component of the normal and its sign
   std::uint32_t index;
 
   friend bool operator<(const Key& a, const Key& b) {
-    return std::tie(a.cell, a.side, a.index) < std::tie(b.cell, b.side, b.index);
+    return std::tie(a.x, a.y, a.z, a.side, a.index) < std::tie(b.x, b.y, b.z, b.side, b.index);
   }
   [[nodiscard]] bool same_node(const Key& other) const {
-    return cell == other.cell && side == other.side;
+    return x == other.x && y == other.y && z == other.z && side == other.side;
   }
 };
 
@@ -67,12 +67,12 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
   const double per_length = longest > 0 ? count / longest : 0;
   const auto along = [&](double v, double low) {
     // The far end of the box belongs to the last cell.
-    return static_cast<std::uint64_t>(std::min((v - low) * per_length, count - 1));
+    return static_cast<std::uint32_t>(std::min((v - low) * per_length, count - 1));
   };
   std::vector<Key> keys(places.size());
   for (std::uint32_t i = 0; i < keys.size(); ++i) {
     const Vec3& p = places[i];
-    keys[i] = {along(p.x, box.low.x) << 42 | along(p.y, box.low.y) << 21 | along(p.z, box.low.z),
+    keys[i] = {along(p.x, box.low.x), along(p.y, box.low.y), along(p.z, box.low.z),
                normals.empty() ? 0 : side_of(normals[i]), i};
   }
   parallel_sort(keys, execution);

@@ -9,7 +9,9 @@ int main() {
   points.push_back({50, 30, 60});  // 20 mm above the top of the part
   // A dense clump of 27 points beside it.
   for (int i = 0; i < 27; ++i) {
-    points.push_back({120 + 0.5 * (i % 3), 30 + 0.5 * (i / 3 % 3), 20 + 0.5 * (i / 9)});
+    const int row = i / 3 % 3;
+    const int layer = i / 9;
+    points.push_back({120 + 0.5 * (i % 3), 30 + 0.5 * row, 20 + 0.5 * layer});
   }
   const std::vector<std::uint8_t> outlier = deburr::find_outliers(points);
   std::printf("%td of 28 found, %td of the part flagged\n",
