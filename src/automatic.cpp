@@ -19,9 +19,7 @@
 namespace deburr {
 namespace {
 
-/// Points are merged into nodes where the noise is so many spacings, in cells of so many standard
-/// deviations of it.
-constexpr double dense = 1.3;
+/// Side of a node's cell where points are merged, in standard deviations of the noise.
 constexpr double node_cell = 1.0;
 
 /// Side of a coarse cell, in spacings of the nodes, but at least so many standard deviations.
@@ -69,10 +67,9 @@ struct Levels {
 
 Levels make_levels(const AutomaticInput& input, Points places, Normals normals,
                    std::span<const double> trust, const Execution& execution) {
-  const bool merge = input.noise > dense * input.spacing;
-  SurfaceNodes nodes = merge ? merge_into_cells(input.points, places, normals, {}, trust,
-                                                node_cell * input.noise, execution)
-                             : nodes_of_points(input.points, places, normals, trust);
+  SurfaceNodes nodes = is_dense(input) ? merge_into_cells(input.points, places, normals, {}, trust,
+                                                          node_cell * input.noise, execution)
+                                       : nodes_of_points(input.points, places, normals, trust);
   const double per_node =
       static_cast<double>(input.points.size()) / static_cast<double>(nodes.size());
   return Levels(std::move(nodes), input, input.spacing * std::sqrt(per_node), execution);

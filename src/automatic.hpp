@@ -20,6 +20,10 @@ struct AutomaticInput {
   double max_move = 0;  ///< no point moves farther
 };
 
+/// Whether points are merged into nodes: from here on neighbourhoods as wide as the noise hold more
+/// of them than their number is worth.
+inline bool is_dense(const AutomaticInput& input) { return input.noise > 1.3 * input.spacing; }
+
 struct AutomaticResult {
   std::vector<Vec3> points;
   std::vector<Vec3> normals;

@@ -18,7 +18,7 @@ constexpr double other_sheet = 0.866;  ///< 30 degrees: below, two sheets meet i
 constexpr double opposite = -0.9;      ///< the far side of a thin part ends no sheet
 constexpr std::size_t fewest_members = 3;
 constexpr std::size_t most_planes = 2;  ///< besides the own one: three make a corner
-constexpr double near_share = 0.8;      ///< of the reach, from a sheet to an edge or corner of it
+constexpr double near_share = 0.8;      ///< of the reach, from a sheet to a corner of it
 constexpr double clear_majority = 0.5;  ///< of the members, on one side of a plane
 constexpr double least_determinant = 0.1;
 
@@ -41,6 +41,11 @@ std::optional<Vec3> intersection(const Vec3& n1, double d1, const Vec3& n2, doub
   m << to_eigen(n1).transpose(), to_eigen(n2).transpose(), to_eigen(n3).transpose();
   if (std::abs(m.determinant()) < least_determinant) return std::nullopt;
   return to_vec3(m.inverse() * Eigen::Vector3d(d1, d2, d3));
+}
+
+bool comes_near(std::span<const Vec3> members, const Vec3& place, double distance) {
+  return std::ranges::any_of(
+      members, [&](const Vec3& p) { return squared_norm(p - place) < distance * distance; });
 }
 
 }  // namespace
@@ -113,12 +118,6 @@ std::vector<CreaseFinder::Plane> CreaseFinder::find_planes(const Blend& blend, s
   return planes;
 }
 
-bool CreaseFinder::comes_near(std::span<const Vec3> members, const Vec3& place) const {
-  return std::ranges::any_of(members, [&](const Vec3& p) {
-    return squared_norm(p - place) < near_share * near_share * reach() * reach();
-  });
-}
-
 Landing CreaseFinder::land(const Vec3& point, const Blend& blend, std::uint32_t own,
                            std::span<const Found> near) const {
   Landing landing{blend.foot, blend.normal};
@@ -130,9 +129,7 @@ Landing CreaseFinder::land(const Vec3& point, const Blend& blend, std::uint32_t 
     const auto edge = onto_line(blend.foot, blend.normal, plane.normal, d);
     if (!edge) continue;
     // The two must really come near each other there.
-    const bool close = std::ranges::any_of(
-        plane.members, [&](const Vec3& p) { return squared_norm(p - *edge) < reach() * reach(); });
-    if (!close) continue;
+    if (!comes_near(plane.members, *edge, reach())) continue;
     landing.clearance = std::min(landing.clearance, std::abs(d));
     if (d * plane.side < 0) {
       if (landing.label != Feature::Surface) continue;  // beyond another edge already
@@ -157,9 +154,10 @@ Landing CreaseFinder::land(const Vec3& point, const Blend& blend, std::uint32_t 
   const auto corner = intersection(self.normal, self.offset, planes[0].normal, planes[0].offset,
                                    planes[1].normal, planes[1].offset);
   if (!corner) return landing;
-  if (!comes_near(planes[0].members, *corner) || !comes_near(planes[1].members, *corner)) {
-    return landing;
-  }
+  const bool meet = std::ranges::all_of(planes, [&](const Plane& plane) {
+    return comes_near(plane.members, *corner, near_share * reach());
+  });
+  if (!meet) return landing;
   const bool beyond_both = std::ranges::all_of(planes, [&](const Plane& plane) {
     return plane.side != 0 && plane.distance(landing.place) * plane.side < 1e-9 * spacing_;
   });

@@ -53,7 +53,6 @@ class CreaseFinder {
   };
   [[nodiscard]] std::vector<Plane> find_planes(const Blend& blend, std::uint32_t own,
                                                std::span<const Found> near) const;
-  [[nodiscard]] bool comes_near(std::span<const Vec3> members, const Vec3& place) const;
   [[nodiscard]] double side_of(const Plane& plane, std::span<const Vec3> members) const;
 
   std::span<const Sheet> sheets_;

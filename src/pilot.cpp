@@ -32,8 +32,7 @@ constexpr double fewest_neighbors = 18;
 constexpr double neighbors_per_noise = 40;  ///< for each square of noise over spacing
 constexpr std::size_t graph_neighbors = 24;
 
-/// Points are merged where the noise is so many spacings, in cells of so many deviations of it.
-constexpr double dense = 1.3;
+/// Side of a cell where points are merged, in standard deviations of the noise.
 constexpr double cell = 1.5;
 
 std::vector<Vec3> first_normals(Points points, Normals given, double ratio,
@@ -57,7 +56,7 @@ std::vector<Vec3> first_normals(Points points, Normals given, double ratio,
 }  // namespace
 
 Pilot find_pilot(const AutomaticInput& input, const Execution& execution) {
-  const bool merge = input.noise > dense * input.spacing;
+  const bool merge = is_dense(input);
   const SurfaceNodes nodes = merge ? merge_into_cells(input.points, input.points, {}, {}, {},
                                                       cell * input.noise, execution)
                                    : nodes_of_points(input.points, input.points, {});

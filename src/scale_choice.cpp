@@ -62,7 +62,7 @@ struct Pool {
   }
 };
 
-/// The excess of the residuals of the whole cloud; negative where too few nodes tell.
+/// The excess of the residuals of the whole cloud; 0 where too few nodes tell.
 std::array<double, sheet_scales> excess_of_cloud(std::span<const ScaleCurve> curves) {
   Pool pool;
   for (const ScaleCurve& curve : curves) pool.add(curve, most_residual_of_cloud);

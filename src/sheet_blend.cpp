@@ -4,17 +4,14 @@
 
 #include <algorithm>
 
-#include "flat_top.hpp"
+#include "belonging.hpp"
 #include "unit.hpp"
 
 namespace deburr {
 namespace {
 
-constexpr double blend_radius = 0.7;   ///< of a sheet's own radius
-constexpr double normal_reach = 0.6;   ///< difference of unit normals
-constexpr double height_reach = 3;     ///< in standard deviations of the noise
-constexpr double height_floor = 0.15;  ///< in spacings, besides
-constexpr double own_share = 0.1;      ///< at least, of the sheet of the point's own node
+constexpr double blend_radius = 0.7;  ///< of a sheet's own radius
+constexpr double own_share = 0.1;     ///< at least, of the sheet of the point's own node
 
 }  // namespace
 
@@ -22,7 +19,7 @@ Blend blend_sheets(const Vec3& point, const Vec3& place, std::uint32_t own,
                    std::span<const Found> near, std::span<const Sheet> sheets,
                    const BlendScales& scales) {
   if (!sheets[own].valid) return {};
-  const double reach = height_reach * scales.noise + height_floor * scales.spacing;
+  const double reach = height_reach(scales.noise, scales.spacing);
   const Sheet::Meeting at_own = sheets[own].meet(place);
   Vec3 move;
   Vec3 normals;
@@ -36,9 +33,7 @@ Blend blend_sheets(const Vec3& point, const Vec3& place, std::uint32_t own,
     if (!(w > 0)) continue;
     const Sheet::Meeting here = sheet.meet(place);
     const double off = here.distance / reach;
-    const double e =
-        squared_norm(here.normal - at_own.normal) / (normal_reach * normal_reach) + off * off;
-    w *= w * flat_top(e) / sheet.variance;
+    w *= w * belonging(squared_norm(here.normal - at_own.normal), off) / sheet.variance;
     if (!(w > 0)) continue;
     const Sheet::Meeting m = sheet.meet(point);
     move += (-w * m.distance) * m.normal;

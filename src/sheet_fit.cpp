@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "flat_top.hpp"
+#include "belonging.hpp"
 #include "unit.hpp"
 #include "weighted_quadric.hpp"
 
@@ -21,11 +21,6 @@ constexpr double growth = 1.5;  ///< of the area from one scale to the next
 /// spacing: a patch thinner than the noise has no direction.
 constexpr double fewest = 15;
 constexpr double fewest_per_noise = 40;
-
-/// How far a node may differ from the surface expected so far and still belong to it.
-constexpr double normal_reach = 0.6;   ///< difference of unit normals
-constexpr double height_reach = 3;     ///< in standard deviations of the noise
-constexpr double height_floor = 0.15;  ///< in spacings, besides
 
 /// A larger fit must agree with every smaller one within so many of its standard deviations.
 constexpr double agreement = 2;
@@ -63,8 +58,7 @@ struct SheetFitter::Run {
     const double cosine = 1 / std::sqrt(1 + a * a + b * b);
     const double turn = squared_norm(s.normal - Vec3{-a * cosine, -b * cosine, cosine});
     const double off = (s.place_height - f.height(s.x, s.y)) * cosine / reach;
-    const double e = turn / (normal_reach * normal_reach) + off * off;
-    return flat_top(e);
+    return deburr::belonging(turn, off);
   }
 };
 
@@ -105,7 +99,7 @@ Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& ch
   Sheet& sheet = run.sheet;
   sheet.frame = frame_along(fine_.places[i], fine_.normals[i]);
   const double variance = run.noise * run.noise;
-  const double reach = height_reach * run.noise + height_floor * spacing_;
+  const double reach = height_reach(run.noise, spacing_);
 
   fine_tree_.nearest(i, fine_neighbors, std::numeric_limits<double>::infinity(), scratch.found);
   gather(run, false);
