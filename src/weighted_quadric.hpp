@@ -49,7 +49,7 @@ class WeightedQuadric {
   struct Both {
     Solution plane;
     Solution quadric;      ///< a plane again where there are too few samples
-    double curvature = 1;  ///< what the quadratic terms take off the squares, over what noise of
+    double curvature = 0;  ///< what the quadratic terms take off the squares, over what noise of
                            ///< variance 1 lets them take off
   };
 

@@ -192,5 +192,13 @@ TEST(WeightedQuadric, MakesNoSlopeOutOfALine) {
   }
 }
 
+// A plane stands for the quadric then, and nothing is known of the curvature, in whatever unit.
+TEST(WeightedQuadric, TellsNoCurvatureOfTooFewSamples) {
+  WeightedQuadric sums(1);
+  for (int k = 0; k < 8; ++k) sums.add(k % 3, k / 3, 1e-6 * k, 1, 1);
+  EXPECT_EQ(sums.solve().curvature, 0);
+  EXPECT_EQ(sums.solve().quadric.surface.c, sums.solve().plane.surface.c);
+}
+
 }  // namespace
 }  // namespace deburr
