@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "crease.hpp"
@@ -26,10 +27,8 @@ constexpr double node_cell = 1.0;
 constexpr double coarse_cell = 3;
 constexpr double coarse_noise = 1;
 
-/// A point that is so many standard deviations of the noise clear of any other sheet is surely of
-/// its own. Nearer ones were told apart by their noise: fits that trust them are drawn outwards.
-constexpr double clear = 3;
-constexpr double least_trust = 0.05;
+/// Less of a point is not worth a place among the nodes of another sheet.
+constexpr double least_share = 0.02;
 
 /// Every so many-th node is fitted at all scales in the first pass.
 constexpr std::size_t survey_step = 3;
@@ -65,34 +64,72 @@ struct Levels {
   }
 };
 
-Levels make_levels(const AutomaticInput& input, Points places, Normals normals,
+/// Every point on the sheets that it may be of: first each on the likeliest, then what is left.
+struct Shares {
+  std::vector<Vec3> measured;
+  std::vector<Vec3> places;
+  std::vector<Vec3> normals;
+  std::vector<double> trust;
+};
+
+/// A point on a sheet that is not its likeliest.
+struct Other {
+  std::uint32_t point;
+  CutSheet sheet;
+};
+
+Levels make_levels(const AutomaticInput& input, Points measured, Points places, Normals normals,
                    std::span<const double> trust, const Execution& execution) {
-  SurfaceNodes nodes = is_dense(input) ? merge_into_cells(input.points, places, normals, {}, trust,
+  SurfaceNodes nodes = is_dense(input) ? merge_into_cells(measured, places, normals, {}, trust,
                                                           node_cell * input.noise, execution)
-                                       : nodes_of_points(input.points, places, normals, trust);
+                                       : nodes_of_points(measured, places, normals, trust);
   const double per_node =
-      static_cast<double>(input.points.size()) / static_cast<double>(nodes.size());
+      static_cast<double>(measured.size()) / static_cast<double>(nodes.size());
   return Levels(std::move(nodes), input, input.spacing * std::sqrt(per_node), execution);
 }
 
 /// Lands every point on the sheets around it.
-/// @return how surely each point is of the sheet that it landed on
-std::vector<double> land(const AutomaticInput& input, const Levels& levels,
+Shares land(const AutomaticInput& input, const Levels& levels,
                          std::span<const Sheet> sheets, AutomaticResult& result,
                          const Execution& execution) {
   const BlendScales scales{input.noise, levels.spacing};
   const CreaseFinder finder(sheets, scales, input.spacing);
-  std::vector<double> trust(input.points.size(), 1.0);
+  Shares shares;
+  shares.measured.assign(input.points.begin(), input.points.end());
+  shares.places.resize(input.points.size());
+  shares.normals.resize(input.points.size());
+  shares.trust.resize(input.points.size());
+  std::vector<std::vector<Other>> others((input.points.size() + block_size - 1) / block_size);
   std::vector<Vec3> places(result.points);
   parallel_blocks(input.points.size(), execution, [&](std::size_t begin, std::size_t end) {
     std::vector<Found> near;
     for (std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t own = levels.fine.of[i];
+      std::uint32_t own = levels.fine.of[i];
       levels.fine_tree.nearest_to(result.points[i], blended, infinity, near);
+      {
+        static const double F = getenv("FACT") ? atof(getenv("FACT")) : 8;
+        std::vector<double> v;
+        for (const Found& f : near)
+          if (sheets[f.index].valid) v.push_back(sheets[f.index].variance);
+        if (!v.empty()) {
+          std::nth_element(v.begin(), v.begin() + v.size() / 4, v.end());
+          const double most = F * v[v.size() / 4];
+          if (!sheets[own].valid || sheets[own].variance > most) {
+            for (const Found& f : near) {
+              const Sheet& s = sheets[f.index];
+              if (!s.valid || s.variance > most) continue;
+              if (std::abs(s.meet(input.points[i]).distance) > 3 * input.noise) continue;
+              own = f.index;
+              break;
+            }
+          }
+        }
+      }
       const Blend blend =
           blend_sheets(input.points[i], result.points[i], own, near, sheets, scales);
       // Without a fit the place so far is the best that is known.
       Landing landing{result.points[i], result.normals[i]};
+      landing.sheets[0] = {result.points[i], result.normals[i]};
       if (blend.valid && is_finite(blend.foot)) {
         landing = finder.land(input.points[i], blend, own, near);
       }
@@ -102,11 +139,28 @@ std::vector<double> land(const AutomaticInput& input, const Levels& levels,
                                             : landing.place;
       result.normals[i] = landing.normal;
       result.labels[i] = landing.label;
-      trust[i] = std::clamp(landing.clearance / (clear * input.noise), least_trust, 1.0);
+      const std::span<const CutSheet> here(landing.sheets.data(), landing.sheet_count);
+      const auto likeliest = std::ranges::max_element(here, {}, &CutSheet::share);
+      shares.places[i] = likeliest->foot;
+      shares.normals[i] = likeliest->normal;
+      shares.trust[i] = likeliest->share;
+      for (auto s = here.begin(); s != here.end(); ++s) {
+        if (s != likeliest && s->share > least_share) {
+          others[begin / block_size].push_back({static_cast<std::uint32_t>(i), *s});
+        }
+      }
     }
   });
+  for (const auto& block : others) {
+    for (const Other& other : block) {
+      shares.measured.push_back(input.points[other.point]);
+      shares.places.push_back(other.sheet.foot);
+      shares.normals.push_back(other.sheet.normal);
+      shares.trust.push_back(other.sheet.share);
+    }
+  }
   result.points = std::move(places);
-  return trust;
+  return shares;
 }
 
 }  // namespace
@@ -130,7 +184,7 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
 
   // A first pass tells how fits of every size fare, the second takes the best of them.
   const Levels first =
-      make_levels(input, result.points, result.normals, {}, part("fits", 0.4, 0.42));
+      make_levels(input, input.points, result.points, result.normals, {}, part("fits", 0.4, 0.42));
   const SheetFitter surveyor(first.fine, first.fine_tree, first.coarse, first.coarse_tree,
                              input.noise, first.spacing);
   std::vector<Sheet> sheets(first.fine.size());
@@ -160,11 +214,11 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
                     });
     return 0;
   });
-  const std::vector<double> trust = clock.time(
+  const Shares shares = clock.time(
       "landing", [&] { return land(input, first, sheets, result, part("landing", 0.6, 0.65)); });
 
   const Levels second =
-      make_levels(input, result.points, result.normals, trust, part("fits", 0.65, 0.67));
+      make_levels(input, shares.measured, shares.places, shares.normals, shares.trust, part("fits", 0.65, 0.67));
   clock.time("fits", [&] {
     const std::vector<ScaleChoice> choices = choose_scales(
         KdTree(surveyed, execution), surveyed_sheets, curves, second.fine.places,

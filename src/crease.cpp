@@ -118,19 +118,52 @@ std::vector<CreaseFinder::Plane> CreaseFinder::find_planes(const Blend& blend, s
   return planes;
 }
 
+void CreaseFinder::find_shares(const Vec3& point, const Plane& self, std::span<const Plane> planes,
+                               Landing& landing) const {
+  std::array<const Plane*, 3> all{&self};
+  std::size_t count = 1;
+  for (const Plane& plane : planes) {
+    if (plane.meets) all[count++] = &plane;
+  }
+  SideOf side[3][3]{};
+  for (std::size_t k = 0; k < count; ++k) {
+    const Plane& plane = *all[k];
+    landing.sheets[k] = {point - plane.distance(point) * plane.normal, plane.normal};
+    if (k == 0) continue;
+    side[k][0] = plane.side;
+    for (std::size_t j = 0; j < count; ++j) {
+      if (j != k) side[j][k] = side_of(*all[j], plane.members);
+    }
+  }
+  landing.sheet_count = count;
+  if (count > 1) {
+    set_shares(point, std::span(landing.sheets).first(count), side, scales_.noise);
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    Vec3& foot = landing.sheets[k].foot;
+    for (std::size_t j = 0; j < count; ++j) {
+      if (j == k) continue;
+      const double d = all[j]->distance(foot);
+      if (side[j][k] * d >= 0) continue;
+      if (const auto edge = onto_line(foot, all[k]->normal, all[j]->normal, d)) foot = *edge;
+    }
+  }
+}
+
 Landing CreaseFinder::land(const Vec3& point, const Blend& blend, std::uint32_t own,
                            std::span<const Found> near) const {
   Landing landing{blend.foot, blend.normal};
-  const std::vector<Plane> planes = find_planes(blend, own, near);
+  landing.sheets[0] = {blend.foot, blend.normal};
+  std::vector<Plane> planes = find_planes(blend, own, near);
   const Plane self{blend.normal, dot(blend.normal, blend.foot)};
   double nearest_edge = edge_width * spacing_;
-  for (const Plane& plane : planes) {
+  for (Plane& plane : planes) {
     const double d = plane.distance(blend.foot);
     const auto edge = onto_line(blend.foot, blend.normal, plane.normal, d);
     if (!edge) continue;
     // The two must really come near each other there.
     if (!comes_near(plane.members, *edge, reach())) continue;
-    landing.clearance = std::min(landing.clearance, std::abs(d));
+    plane.meets = true;
     if (d * plane.side < 0) {
       if (landing.label != Feature::Surface) continue;  // beyond another edge already
       landing.place = *edge;
@@ -150,6 +183,7 @@ Landing CreaseFinder::land(const Vec3& point, const Blend& blend, std::uint32_t 
       landing.label = Feature::Edge;
     }
   }
+  find_shares(point, self, planes, landing);
   if (planes.size() < most_planes) return landing;
   const auto corner = intersection(self.normal, self.offset, planes[0].normal, planes[0].offset,
                                    planes[1].normal, planes[1].offset);

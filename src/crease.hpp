@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -11,6 +11,7 @@
 #include "kd_tree.hpp"
 #include "sheet.hpp"
 #include "sheet_blend.hpp"
+#include "sheet_shares.hpp"
 
 namespace deburr {
 
@@ -19,9 +20,9 @@ struct Landing {
   Vec3 place;
   Vec3 normal;
   Feature label = Feature::Surface;
-  /// Distance from the nearest sheet that meets its own; infinite where there is none. Points that
-  /// are not clear of it by more than the noise may be of either.
-  double clearance = std::numeric_limits<double>::infinity();
+  /// The sheets that it may be of: its own and those that meet it.
+  std::array<CutSheet, 3> sheets{};
+  std::size_t sheet_count = 1;
 };
 
 /// Ends smooth sheets where they meet: a point that landed beyond an edge goes to the edge, to the
@@ -47,12 +48,15 @@ class CreaseFinder {
     Vec3 normal;
     double offset = 0;            ///< dot(normal, x) on it
     double side = 0;              ///< +1 or -1: where the own sheet lies; 0 where on both sides
+    bool meets = false;           ///< whether it comes near the own sheet where they cross
     std::vector<Vec3> members{};  ///< places on it, nearest first
 
     [[nodiscard]] double distance(const Vec3& p) const { return dot(normal, p) - offset; }
   };
   [[nodiscard]] std::vector<Plane> find_planes(const Blend& blend, std::uint32_t own,
                                                std::span<const Found> near) const;
+  void find_shares(const Vec3& point, const Plane& self, std::span<const Plane> planes,
+                   Landing& landing) const;
   [[nodiscard]] double side_of(const Plane& plane, std::span<const Vec3> members) const;
 
   std::span<const Sheet> sheets_;

@@ -84,23 +84,25 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
     Vec3 place_sum;
     Vec3 normal_sum;
     double total = 0;
-    double trusted = 0;
+    double spread = 0;
     std::size_t to = from;
     for (; to < keys.size() && keys[to].same_node(keys[from]); ++to) {
       const std::uint32_t i = keys[to].index;
-      const double w = weights.empty() ? 1 : weights[i];
+      const double t = trust.empty() ? 1 : trust[i];
+      const double w = t * (weights.empty() ? 1 : weights[i]);
       measured_sum += w * measured[i];
       place_sum += w * places[i];
       if (!normals.empty()) normal_sum += w * normals[i];
       total += w;
-      trusted += w * (trust.empty() ? 1 : trust[i]);
+      spread += t * w;
       nodes.of[i] = static_cast<std::uint32_t>(nodes.size());
     }
     nodes.measured.push_back((1 / total) * measured_sum);
     nodes.places.push_back((1 / total) * place_sum);
     nodes.normals.push_back(is_zero(normal_sum) ? Vec3{} : unit(normal_sum));
-    nodes.weights.push_back(total);
-    nodes.trust.push_back(trusted / total);
+    // As many points of full trust have a mean of the same variance.
+    nodes.weights.push_back(total * total / spread);
+    nodes.trust.push_back(spread / total);
     from = to;
   }
   return nodes;
