@@ -23,10 +23,6 @@ namespace {
 /// Side of a node's cell where points are merged, in standard deviations of the noise.
 constexpr double node_cell = 1.0;
 
-/// Side of a coarse cell, in spacings of the nodes, but at least so many standard deviations.
-constexpr double coarse_cell = 3;
-constexpr double coarse_noise = 1;
-
 /// Less of a point is not worth a place among the nodes of another sheet.
 constexpr double least_share = 0.02;
 
@@ -35,34 +31,6 @@ constexpr std::size_t survey_step = 3;
 
 constexpr std::size_t blended = 100;  ///< nodes around a point that its landing is made of
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Nodes at two resolutions with their trees, for one pass of fits.
-struct Levels {
-  SurfaceNodes fine;
-  SurfaceNodes coarse;
-  KdTree fine_tree;
-  KdTree coarse_tree;
-  double spacing;  ///< of the fine nodes
-
-  Levels(SurfaceNodes nodes, const AutomaticInput& input, double node_spacing,
-         const Execution& execution)
-      : fine(std::move(nodes)),
-        coarse(merge_into_cells(fine.measured, fine.places, fine.normals, fine.weights, fine.trust,
-                                std::max(coarse_cell * node_spacing, coarse_noise * input.noise),
-                                execution)),
-        fine_tree(fine.places, execution),
-        coarse_tree(coarse.places, execution),
-        spacing(node_spacing) {}
-
-  // The trees look at the nodes: a copy would look at those of another.
-  Levels(const Levels&) = delete;
-  Levels& operator=(const Levels&) = delete;
-  ~Levels() = default;
-
-  [[nodiscard]] double points_per_coarse_node() const {
-    return static_cast<double>(fine.size()) / static_cast<double>(coarse.size());
-  }
-};
 
 /// Every point on the sheets that it may be of: first each on the likeliest, then what is left.
 struct Shares {
@@ -78,22 +46,22 @@ struct Other {
   CutSheet sheet;
 };
 
-Levels make_levels(const AutomaticInput& input, Points measured, Points places, Normals normals,
+NodeLevels make_levels(const AutomaticInput& input, Points measured, Points places, Normals normals,
                    std::span<const double> trust, const Execution& execution) {
   SurfaceNodes nodes = is_dense(input) ? merge_into_cells(measured, places, normals, {}, trust,
                                                           node_cell * input.noise, execution)
                                        : nodes_of_points(measured, places, normals, trust);
   const double per_node =
       static_cast<double>(measured.size()) / static_cast<double>(nodes.size());
-  return Levels(std::move(nodes), input, input.spacing * std::sqrt(per_node), execution);
+  return {std::move(nodes), input.spacing * std::sqrt(per_node), input.noise, execution};
 }
 
 /// Lands every point on the sheets around it.
-Shares land(const AutomaticInput& input, const Levels& levels,
+Shares land(const AutomaticInput& input, const NodeLevels& levels,
                          std::span<const Sheet> sheets, AutomaticResult& result,
                          const Execution& execution) {
-  const BlendScales scales{input.noise, levels.spacing};
-  const CreaseFinder finder(sheets, scales, input.spacing);
+  const BlendScales scales{input.noise, levels.spacing()};
+  const CreaseFinder finder(sheets, scales, input.spacing, input.noise);
   Shares shares;
   shares.measured.assign(input.points.begin(), input.points.end());
   shares.places.resize(input.points.size());
@@ -104,10 +72,10 @@ Shares land(const AutomaticInput& input, const Levels& levels,
   parallel_blocks(input.points.size(), execution, [&](std::size_t begin, std::size_t end) {
     std::vector<Found> near;
     for (std::size_t i = begin; i < end; ++i) {
-      std::uint32_t own = levels.fine.of[i];
-      levels.fine_tree.nearest_to(result.points[i], blended, infinity, near);
+      std::uint32_t own = levels.nodes(0).of[i];
+      levels.tree(0).nearest_to(result.points[i], blended, infinity, near);
       {
-        static const double F = getenv("FACT") ? atof(getenv("FACT")) : 8;
+        static const double F = getenv("FACT") ? atof(getenv("FACT")) : 3;
         std::vector<double> v;
         for (const Found& f : near)
           if (sheets[f.index].valid) v.push_back(sheets[f.index].variance);
@@ -183,18 +151,17 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
   });
 
   // A first pass tells how fits of every size fare, the second takes the best of them.
-  const Levels first =
+  const NodeLevels first =
       make_levels(input, input.points, result.points, result.normals, {}, part("fits", 0.4, 0.42));
-  const SheetFitter surveyor(first.fine, first.fine_tree, first.coarse, first.coarse_tree,
-                             input.noise, first.spacing);
-  std::vector<Sheet> sheets(first.fine.size());
+  const SheetFitter surveyor(first, input.noise);
+  std::vector<Sheet> sheets(first.nodes(0).size());
   // What fits of every size tell is pooled over many nodes, so not every node has to be asked.
   std::vector<Vec3> surveyed((sheets.size() + survey_step - 1) / survey_step);
   std::vector<Sheet> surveyed_sheets(surveyed.size());
   std::vector<ScaleCurve> curves(surveyed.size());
   clock.time("fits", [&] {
     ScaleChoice small;
-    small.scale = coarse_scale - 1;
+    small.scale = level_scales - 1;
     small.noise = input.noise;
     small.curvature.fill(-1);
     parallel_blocks(sheets.size(), part("fits", 0.42, 0.6),
@@ -208,7 +175,7 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
                         }
                         const std::size_t at = i / survey_step;
                         sheets[i] = surveyor.survey(node, scratch, curves[at]);
-                        surveyed[at] = first.fine.places[i];
+                        surveyed[at] = first.nodes(0).places[i];
                         surveyed_sheets[at] = sheets[i];
                       }
                     });
@@ -217,15 +184,14 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
   const Shares shares = clock.time(
       "landing", [&] { return land(input, first, sheets, result, part("landing", 0.6, 0.65)); });
 
-  const Levels second =
+  const NodeLevels second =
       make_levels(input, shares.measured, shares.places, shares.normals, shares.trust, part("fits", 0.65, 0.67));
   clock.time("fits", [&] {
     const std::vector<ScaleChoice> choices = choose_scales(
-        KdTree(surveyed, execution), surveyed_sheets, curves, second.fine.places,
-        second.fine.normals, input.noise, first.points_per_coarse_node(), part("fits", 0.67, 0.72));
-    const SheetFitter fitter(second.fine, second.fine_tree, second.coarse, second.coarse_tree,
-                             input.noise, second.spacing);
-    sheets.assign(second.fine.size(), {});
+        KdTree(surveyed, execution), surveyed_sheets, curves, second.nodes(0).places,
+        second.nodes(0).normals, input.noise, first, part("fits", 0.67, 0.72));
+    const SheetFitter fitter(second, input.noise);
+    sheets.assign(second.nodes(0).size(), {});
     parallel_blocks(sheets.size(), part("fits", 0.72, 0.9),
                     [&](std::size_t begin, std::size_t end) {
                       SheetFitter::Scratch scratch;

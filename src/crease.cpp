@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 
 #include "sym3.hpp"
@@ -75,6 +76,8 @@ std::vector<CreaseFinder::Plane> CreaseFinder::find_planes(const Blend& blend, s
   std::vector<Candidate> candidates;
   std::vector<Vec3> own_members;
   const double limit = reach() * reach();
+  double surest = sheets_[own].variance;
+  for (const Found& f : near) if (sheets_[f.index].valid) surest = std::min(surest, sheets_[f.index].variance);
   for (const Found& f : near) {
     const Sheet& sheet = sheets_[f.index];
     if (!sheet.valid) continue;
@@ -94,6 +97,8 @@ std::vector<CreaseFinder::Plane> CreaseFinder::find_planes(const Blend& blend, s
   while (planes.size() < most_planes && candidates.size() >= fewest_members) {
     // The surest sheet leads; those that agree with it join.
     const auto lead = std::ranges::min_element(candidates, {}, &Candidate::variance);
+    static const double P = getenv("PV") ? atof(getenv("PV")) : 30;
+    if (lead->variance > P * surest) break;
     const Vec3 direction = lead->normal;
     Plane plane;
     Vec3 normals;
@@ -137,7 +142,7 @@ void CreaseFinder::find_shares(const Vec3& point, const Plane& self, std::span<c
   }
   landing.sheet_count = count;
   if (count > 1) {
-    set_shares(point, std::span(landing.sheets).first(count), side, scales_.noise);
+    set_shares(point, std::span(landing.sheets).first(count), side, typical_);
   }
   for (std::size_t k = 0; k < count; ++k) {
     Vec3& foot = landing.sheets[k].foot;

@@ -30,8 +30,8 @@ struct Landing {
 class CreaseFinder {
  public:
   /// @param spacing  of the points, for what counts as on an edge
-  CreaseFinder(std::span<const Sheet> sheets, const BlendScales& scales, double spacing)
-      : sheets_(sheets), scales_(scales), spacing_(spacing) {}
+  CreaseFinder(std::span<const Sheet> sheets, const BlendScales& scales, double spacing, double typical)
+      : sheets_(sheets), scales_(scales), spacing_(spacing), typical_(typical) {}
 
   /// Distance from the place of a point within which nodes are to be given to land().
   [[nodiscard]] double reach() const { return 2.5 * scales_.spacing + 2.5 * scales_.noise; }
@@ -62,6 +62,7 @@ class CreaseFinder {
   std::span<const Sheet> sheets_;
   BlendScales scales_;
   double spacing_;
+  double typical_;
 };
 
 }  // namespace deburr

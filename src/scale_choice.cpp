@@ -68,7 +68,7 @@ std::array<double, sheet_scales> excess_of_cloud(std::span<const ScaleCurve> cur
   for (const ScaleCurve& curve : curves) pool.add(curve, most_residual_of_cloud);
   double sum = 0;
   double total = 0;
-  for (std::size_t s = 0; s < coarse_scale / 2; ++s) {
+  for (std::size_t s = 0; s < level_scales / 2; ++s) {
     sum += pool.residual[s];
     total += pool.freedom[s];
   }
@@ -86,7 +86,7 @@ std::array<double, sheet_scales> excess_of_cloud(std::span<const ScaleCurve> cur
 
 std::vector<ScaleChoice> choose_scales(const KdTree& tree, std::span<const Sheet> sheets,
                                        std::span<const ScaleCurve> curves, Points places,
-                                       Normals normals, double noise, double points_per_coarse_node,
+                                       Normals normals, double noise, const NodeLevels& levels,
                                        const Execution& execution) {
   const std::array<double, sheet_scales> of_cloud = excess_of_cloud(curves);
   std::vector<ScaleChoice> choices(places.size());
@@ -114,10 +114,10 @@ std::vector<ScaleChoice> choose_scales(const KdTree& tree, std::span<const Sheet
         const double difference = pool.excess(s, reference) - of_cloud[s];
         const double significant =
             std::max(difference - chance, 0.0) + std::min(difference + chance, 0.0);
-        const bool coarse = s >= coarse_scale;
+        const std::size_t level = s / level_scales;
+        const double free = level > 0 ? free_coarse_excess : free_excess;
         const double misfit =
-            std::max(0.0, of_cloud[s] + significant - (coarse ? free_coarse_excess : free_excess)) /
-            (coarse ? points_per_coarse_node : 1);
+            std::max(0.0, of_cloud[s] + significant - free) / levels.merged(level);
         const double risk = misfit_weight * misfit + pool.variance[s] / pool.count[s];
         if (risk < least) {
           least = risk;

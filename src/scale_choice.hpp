@@ -21,10 +21,10 @@ namespace deburr {
 /// @param tree  of the nodes that the sheets and curves are of
 /// @param places,normals  where choices are wanted
 /// @param noise  standard deviation of the noise of the cloud
-/// @param points_per_coarse_node  mean weight of the coarse nodes over that of the fine ones
+/// @param levels  the nodes that were surveyed
 std::vector<ScaleChoice> choose_scales(const KdTree& tree, std::span<const Sheet> sheets,
                                        std::span<const ScaleCurve> curves, Points places,
-                                       Normals normals, double noise, double points_per_coarse_node,
+                                       Normals normals, double noise, const NodeLevels& levels,
                                        const Execution& execution);
 
 }  // namespace deburr

@@ -62,18 +62,8 @@ struct SheetFitter::Run {
   }
 };
 
-SheetFitter::SheetFitter(const SurfaceNodes& fine, const KdTree& fine_tree,
-                         const SurfaceNodes& coarse, const KdTree& coarse_tree, double noise,
-                         double spacing)
-    : fine_(fine),
-      fine_tree_(fine_tree),
-      coarse_(coarse),
-      coarse_tree_(coarse_tree),
-      noise_(noise),
-      spacing_(spacing) {}
-
-void SheetFitter::gather(Run& run, bool coarse) const {
-  const SurfaceNodes& nodes = coarse ? coarse_ : fine_;
+void SheetFitter::gather(Run& run, std::size_t level) const {
+  const SurfaceNodes& nodes = levels_.nodes(level);
   const Frame& frame = run.sheet.frame;
   auto& samples = run.scratch.samples;
   samples.clear();
@@ -89,7 +79,7 @@ void SheetFitter::gather(Run& run, bool coarse) const {
                        square,
                        {dot(n, frame.u), dot(n, frame.v), dot(n, frame.w)}});
   };
-  if (!coarse) add(run.node, 0);
+  if (level == 0) add(run.node, 0);
   for (const Found& f : run.scratch.found) add(f.index, f.squared_distance);
 }
 
@@ -97,28 +87,30 @@ Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& ch
                         ScaleCurve* curve) const {
   Run run{i, scratch, choice.noise, {}};
   Sheet& sheet = run.sheet;
-  sheet.frame = frame_along(fine_.places[i], fine_.normals[i]);
+  const SurfaceNodes& fine = levels_.nodes(0);
+  sheet.frame = frame_along(fine.places[i], fine.normals[i]);
   const double variance = run.noise * run.noise;
-  const double reach = height_reach(run.noise, spacing_);
+  const double reach = height_reach(run.noise, levels_.spacing());
 
-  fine_tree_.nearest(i, fine_neighbors, std::numeric_limits<double>::infinity(), scratch.found);
-  gather(run, false);
+  levels_.tree(0).nearest(i, fine_neighbors, std::numeric_limits<double>::infinity(), scratch.found);
+  gather(run, 0);
   if (scratch.samples.size() < 2) return sheet;
-  const double ratio = run.noise / spacing_;
+  const double ratio = run.noise / levels_.spacing();
   const auto first = static_cast<std::size_t>(std::clamp(
-      fewest_per_noise * ratio * ratio / fine_.weights[i], fewest, double{fine_neighbors}));
+      fewest_per_noise * ratio * ratio / fine.weights[i], fewest, double{fine_neighbors}));
   double area = scratch.samples[std::min(first, scratch.samples.size() - 1)].square;
 
   for (std::size_t scale = 0; scale <= choice.scale; ++scale, area *= growth) {
-    const bool coarse = scale >= coarse_scale;
-    if (scale == coarse_scale) {
-      // Coarse nodes take over where the fine ones end, wherever that was.
+    const std::size_t level = scale / level_scales;
+    const bool coarse = level > 0;
+    if (coarse && scale % level_scales == 0) {
+      // Coarser nodes take over where the finer ones end, wherever that was.
       if (!sheet.valid) break;
       area = sheet.radius * sheet.radius * growth;
-      coarse_tree_.nearest_to(sheet.frame.origin, coarse_neighbors,
+      levels_.tree(level).nearest_to(sheet.frame.origin, coarse_neighbors,
                               std::numeric_limits<double>::infinity(), scratch.found);
       if (scratch.found.empty() || scratch.found.back().squared_distance < area) break;
-      gather(run, true);
+      gather(run, level);
     }
     const auto& samples = scratch.samples;
     const bool last = !(area < samples.back().square);
@@ -129,7 +121,7 @@ Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& ch
       const double w = (1 - 0.9 * s.square / area) * run.belonging(s, reach) * s.weight * s.trust;
       if (w > 0) sums.add(s.x, s.y, s.height, w, s.weight);
     }
-    const std::size_t next = last ? (coarse ? sheet_scales : coarse_scale) - 1 : scale;
+    const std::size_t next = last ? (level + 1) * level_scales - 1 : scale;
     if (sums.count() < fewest_samples) {
       if (last && !sheet.valid) break;
       scale = next;
@@ -171,11 +163,11 @@ Sheet SheetFitter::survey(std::uint32_t i, Scratch& scratch, ScaleCurve& curve) 
   curve = {};
   ScaleChoice choice;
   choice.noise = noise_;
-  return is_zero(fine_.normals[i]) ? Sheet{} : grow(i, scratch, choice, &curve);
+  return is_zero(levels_.nodes(0).normals[i]) ? Sheet{} : grow(i, scratch, choice, &curve);
 }
 
 Sheet SheetFitter::fit(std::uint32_t i, Scratch& scratch, const ScaleChoice& choice) const {
-  return is_zero(fine_.normals[i]) ? Sheet{} : grow(i, scratch, choice, nullptr);
+  return is_zero(levels_.nodes(0).normals[i]) ? Sheet{} : grow(i, scratch, choice, nullptr);
 }
 
 }  // namespace deburr

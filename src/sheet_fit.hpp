@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "kd_tree.hpp"
+#include "node_levels.hpp"
 #include "sheet.hpp"
-#include "surface_nodes.hpp"
 
 namespace deburr {
 
-/// Scales at which a sheet is fitted: the first half over nodes, the rest over coarser ones.
-inline constexpr std::size_t sheet_scales = 16;
-inline constexpr std::size_t coarse_scale = sheet_scales / 2;
+/// Scales at which a sheet is fitted over the nodes of one level, and over those of all.
+inline constexpr std::size_t level_scales = 8;
+inline constexpr std::size_t sheet_scales = level_scales * node_levels;
 
 /// How the fits around one node fare at each scale; variances are shares of that of the noise.
 struct ScaleCurve {
@@ -37,11 +37,8 @@ struct ScaleChoice {
 /// Fits sheets to nodes, from small neighbourhoods to large ones. See docs/method/automatic.md.
 class SheetFitter {
  public:
-  /// @param coarse  the same surface with fewer nodes
   /// @param noise  standard deviation of the noise of a single point
-  /// @param spacing  of the nodes
-  SheetFitter(const SurfaceNodes& fine, const KdTree& fine_tree, const SurfaceNodes& coarse,
-              const KdTree& coarse_tree, double noise, double spacing);
+  SheetFitter(const NodeLevels& levels, double noise) : levels_(levels), noise_(noise) {}
 
   /// Buffers of one thread.
   struct Scratch {
@@ -68,14 +65,10 @@ class SheetFitter {
   struct Run;
   [[nodiscard]] Sheet grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& choice,
                            ScaleCurve* curve) const;
-  void gather(Run& run, bool coarse) const;
+  void gather(Run& run, std::size_t level) const;
 
-  const SurfaceNodes& fine_;
-  const KdTree& fine_tree_;
-  const SurfaceNodes& coarse_;
-  const KdTree& coarse_tree_;
+  const NodeLevels& levels_;
   double noise_;
-  double spacing_;
 };
 
 }  // namespace deburr

@@ -3,6 +3,8 @@
 #include "sheet_shares.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <limits>
 #include <array>
 #include <cmath>
 
@@ -47,7 +49,17 @@ void set_shares(const Vec3& x, std::span<CutSheet> sheets, const SideOf side[3][
     sheets[k].share = share;
     total += share;
   }
-  for (CutSheet& s : sheets) s.share = total > 0 ? s.share / total : 1.0 / sheets.size();
+  static const double C = getenv("CL") ? atof(getenv("CL")) : 0;
+  std::array<double, 3> f{1, 1, 1};
+  if (C > 0) {
+    for (std::size_t k = 0; k < sheets.size(); ++k) {
+      for (std::size_t j = 0; j < sheets.size(); ++j) {
+        if (j == k) continue;
+        f[k] = std::min(f[k], std::clamp(std::abs(dot(sheets[k].foot - sheets[j].foot, sheets[j].normal)) / (C * noise), 0.05, 1.0));
+      }
+    }
+  }
+  for (std::size_t k = 0; k < sheets.size(); ++k) sheets[k].share = f[k] * (total > 0 ? sheets[k].share / total : 1.0 / sheets.size());
 }
 
 }  // namespace deburr

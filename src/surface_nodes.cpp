@@ -3,6 +3,7 @@
 #include "surface_nodes.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -31,13 +32,17 @@ struct Key {
   }
 };
 
-std::uint32_t side_of(const Vec3& n) {
+std::uint32_t side_of(const Vec3& n, int K) {
   const double x = std::abs(n.x);
   const double y = std::abs(n.y);
   const double z = std::abs(n.z);
-  if (x >= y && x >= z) return n.x < 0 ? 1 : 0;
-  if (y >= z) return n.y < 0 ? 3 : 2;
-  return n.z < 0 ? 5 : 4;
+  const auto bin = [&](double a, double b, double major) {
+    const auto q = [&](double v) { return std::min<std::uint32_t>(K - 1, static_cast<std::uint32_t>((v / major + 1) * 0.5 * K)); };
+    return 6 * (q(a) * K + q(b));
+  };
+  if (x >= y && x >= z) return (n.x < 0 ? 1 : 0) + bin(n.y, n.z, std::max(x, 1e-300));
+  if (y >= z) return (n.y < 0 ? 3 : 2) + bin(n.x, n.z, y);
+  return (n.z < 0 ? 5 : 4) + bin(n.x, n.y, z);
 }
 
 }  // namespace
@@ -69,11 +74,12 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
     // The far end of the box belongs to the last cell.
     return static_cast<std::uint32_t>(std::min((v - low) * per_length, count - 1));
   };
+  static const int K0 = getenv("K0") ? atoi(getenv("K0")) : 1;static const int K1 = getenv("K1") ? atoi(getenv("K1")) : 3;
   std::vector<Key> keys(places.size());
   for (std::uint32_t i = 0; i < keys.size(); ++i) {
     const Vec3& p = places[i];
     keys[i] = {along(p.x, box.low.x), along(p.y, box.low.y), along(p.z, box.low.z),
-               normals.empty() ? 0 : side_of(normals[i]), i};
+               normals.empty() ? 0 : side_of(normals[i], weights.empty() ? K0 : K1), i};
   }
   parallel_sort(keys, execution);
 
