@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
+#include "corners.hpp"
 #include "crease.hpp"
 #include "kd_tree.hpp"
 #include "parallel.hpp"
@@ -47,21 +47,43 @@ struct Other {
 };
 
 NodeLevels make_levels(const AutomaticInput& input, Points measured, Points places, Normals normals,
-                   std::span<const double> trust, const Execution& execution) {
+                       std::span<const double> trust, const Execution& execution) {
   SurfaceNodes nodes = is_dense(input) ? merge_into_cells(measured, places, normals, {}, trust,
-                                                          node_cell * input.noise, execution)
+                                                          node_cell * input.noise, 1, execution)
                                        : nodes_of_points(measured, places, normals, trust);
-  const double per_node =
-      static_cast<double>(measured.size()) / static_cast<double>(nodes.size());
+  const double per_node = static_cast<double>(measured.size()) / static_cast<double>(nodes.size());
   return {std::move(nodes), input.spacing * std::sqrt(per_node), input.noise, execution};
 }
 
+/// The node whose sheet stands for a point: its own, unless that is far less sure than those
+/// around. Then the own normal was none of a surface, and the nearest sure sheet that the noise
+/// lets the point be of takes its place.
+std::uint32_t surer(const Vec3& point, std::uint32_t own, std::span<const Found> near,
+                    std::span<const Sheet> sheets, double noise, std::vector<double>& variances) {
+  constexpr double most_ratio = 3;
+  constexpr double most_noises = 3;
+  variances.clear();
+  for (const Found& f : near) {
+    if (sheets[f.index].valid) variances.push_back(sheets[f.index].variance);
+  }
+  if (variances.empty()) return own;
+  const auto quarter = variances.begin() + static_cast<std::ptrdiff_t>(variances.size() / 4);
+  std::ranges::nth_element(variances, quarter);
+  const double most = most_ratio * *quarter;
+  if (sheets[own].valid && sheets[own].variance <= most) return own;
+  for (const Found& f : near) {
+    const Sheet& sheet = sheets[f.index];
+    if (!sheet.valid || sheet.variance > most) continue;
+    if (std::abs(sheet.meet(point).distance) <= most_noises * noise) return f.index;
+  }
+  return own;
+}
+
 /// Lands every point on the sheets around it.
-Shares land(const AutomaticInput& input, const NodeLevels& levels,
-                         std::span<const Sheet> sheets, AutomaticResult& result,
-                         const Execution& execution) {
+Shares land(const AutomaticInput& input, const NodeLevels& levels, std::span<const Sheet> sheets,
+            AutomaticResult& result, const Execution& execution) {
   const BlendScales scales{input.noise, levels.spacing()};
-  const CreaseFinder finder(sheets, scales, input.spacing, input.noise);
+  const CreaseFinder finder(sheets, scales, input.spacing);
   Shares shares;
   shares.measured.assign(input.points.begin(), input.points.end());
   shares.places.resize(input.points.size());
@@ -69,30 +91,14 @@ Shares land(const AutomaticInput& input, const NodeLevels& levels,
   shares.trust.resize(input.points.size());
   std::vector<std::vector<Other>> others((input.points.size() + block_size - 1) / block_size);
   std::vector<Vec3> places(result.points);
+  std::vector<std::vector<EdgePoint>> edge_blocks(others.size());
   parallel_blocks(input.points.size(), execution, [&](std::size_t begin, std::size_t end) {
     std::vector<Found> near;
+    std::vector<double> variances;
     for (std::size_t i = begin; i < end; ++i) {
       std::uint32_t own = levels.nodes(0).of[i];
       levels.tree(0).nearest_to(result.points[i], blended, infinity, near);
-      {
-        static const double F = getenv("FACT") ? atof(getenv("FACT")) : 3;
-        std::vector<double> v;
-        for (const Found& f : near)
-          if (sheets[f.index].valid) v.push_back(sheets[f.index].variance);
-        if (!v.empty()) {
-          std::nth_element(v.begin(), v.begin() + v.size() / 4, v.end());
-          const double most = F * v[v.size() / 4];
-          if (!sheets[own].valid || sheets[own].variance > most) {
-            for (const Found& f : near) {
-              const Sheet& s = sheets[f.index];
-              if (!s.valid || s.variance > most) continue;
-              if (std::abs(s.meet(input.points[i]).distance) > 3 * input.noise) continue;
-              own = f.index;
-              break;
-            }
-          }
-        }
-      }
+      if (!near.empty()) own = surer(input.points[i], own, near, sheets, input.noise, variances);
       const Blend blend =
           blend_sheets(input.points[i], result.points[i], own, near, sheets, scales);
       // Without a fit the place so far is the best that is known.
@@ -107,6 +113,10 @@ Shares land(const AutomaticInput& input, const NodeLevels& levels,
                                             : landing.place;
       result.normals[i] = landing.normal;
       result.labels[i] = landing.label;
+      if (landing.label == Feature::Edge || landing.label == Feature::Corner) {
+        edge_blocks[begin / block_size].push_back(
+            {static_cast<std::uint32_t>(i), landing.sheets, landing.sheet_count});
+      }
       const std::span<const CutSheet> here(landing.sheets.data(), landing.sheet_count);
       const auto likeliest = std::ranges::max_element(here, {}, &CutSheet::share);
       shares.places[i] = likeliest->foot;
@@ -128,6 +138,9 @@ Shares land(const AutomaticInput& input, const NodeLevels& levels,
     }
   }
   result.points = std::move(places);
+  std::vector<EdgePoint> edges;
+  for (const auto& block : edge_blocks) edges.insert(edges.end(), block.begin(), block.end());
+  label_corners(edges, result.points, input.spacing, result.labels, execution);
   return shares;
 }
 
@@ -184,12 +197,12 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
   const Shares shares = clock.time(
       "landing", [&] { return land(input, first, sheets, result, part("landing", 0.6, 0.65)); });
 
-  const NodeLevels second =
-      make_levels(input, shares.measured, shares.places, shares.normals, shares.trust, part("fits", 0.65, 0.67));
+  const NodeLevels second = make_levels(input, shares.measured, shares.places, shares.normals,
+                                        shares.trust, part("fits", 0.65, 0.67));
   clock.time("fits", [&] {
-    const std::vector<ScaleChoice> choices = choose_scales(
-        KdTree(surveyed, execution), surveyed_sheets, curves, second.nodes(0).places,
-        second.nodes(0).normals, input.noise, first, part("fits", 0.67, 0.72));
+    const std::vector<ScaleChoice> choices =
+        choose_scales(KdTree(surveyed, execution), surveyed_sheets, curves, second.nodes(0).places,
+                      second.nodes(0).normals, input.noise, first, part("fits", 0.67, 0.72));
     const SheetFitter fitter(second, input.noise);
     sheets.assign(second.nodes(0).size(), {});
     parallel_blocks(sheets.size(), part("fits", 0.72, 0.9),

@@ -20,8 +20,8 @@ inline double height_reach(double noise, double spacing) { return 3 * noise + 0.
 /// Share with which something belongs to a smooth surface.
 /// @param turn  squared difference of its unit normal from that of the surface
 /// @param off  distance from the surface, in parts of height_reach()
-inline double belonging(double turn, double off) {
-  constexpr double normal_reach = 0.6;
+/// @param normal_reach  turn of a unit normal that makes it foreign
+inline double belonging(double turn, double off, double normal_reach) {
   return flat_top(turn / (normal_reach * normal_reach) + off * off);
 }
 

@@ -5,7 +5,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 
 #include "sym3.hpp"
@@ -23,9 +22,12 @@ constexpr double near_share = 0.8;      ///< of the reach, from a sheet to a cor
 constexpr double clear_majority = 0.5;  ///< of the members, on one side of a plane
 constexpr double least_determinant = 0.1;
 
-/// Points of an edge are those within so many spacings of it; of a corner likewise.
+/// A sheet is none of its own if its surest fit has so many times the variance of the surest
+/// around.
+constexpr double most_variance = 30;
+
+/// Points of an edge are those within so many spacings of it.
 constexpr double edge_width = 0.8;
-constexpr double corner_width = 1.4;
 
 /// The nearest point to `at` on the line where plane `normal` through `at` meets another plane.
 std::optional<Vec3> onto_line(const Vec3& at, const Vec3& normal, const Vec3& other,
@@ -77,7 +79,9 @@ std::vector<CreaseFinder::Plane> CreaseFinder::find_planes(const Blend& blend, s
   std::vector<Vec3> own_members;
   const double limit = reach() * reach();
   double surest = sheets_[own].variance;
-  for (const Found& f : near) if (sheets_[f.index].valid) surest = std::min(surest, sheets_[f.index].variance);
+  for (const Found& f : near) {
+    if (sheets_[f.index].valid) surest = std::min(surest, sheets_[f.index].variance);
+  }
   for (const Found& f : near) {
     const Sheet& sheet = sheets_[f.index];
     if (!sheet.valid) continue;
@@ -97,8 +101,7 @@ std::vector<CreaseFinder::Plane> CreaseFinder::find_planes(const Blend& blend, s
   while (planes.size() < most_planes && candidates.size() >= fewest_members) {
     // The surest sheet leads; those that agree with it join.
     const auto lead = std::ranges::min_element(candidates, {}, &Candidate::variance);
-    static const double P = getenv("PV") ? atof(getenv("PV")) : 30;
-    if (lead->variance > P * surest) break;
+    if (lead->variance > most_variance * surest) break;
     const Vec3 direction = lead->normal;
     Plane plane;
     Vec3 normals;
@@ -125,12 +128,12 @@ std::vector<CreaseFinder::Plane> CreaseFinder::find_planes(const Blend& blend, s
 
 void CreaseFinder::find_shares(const Vec3& point, const Plane& self, std::span<const Plane> planes,
                                Landing& landing) const {
-  std::array<const Plane*, 3> all{&self};
+  std::array<const Plane*, most_sheets> all{&self};
   std::size_t count = 1;
   for (const Plane& plane : planes) {
     if (plane.meets) all[count++] = &plane;
   }
-  SideOf side[3][3]{};
+  Sides side{};
   for (std::size_t k = 0; k < count; ++k) {
     const Plane& plane = *all[k];
     landing.sheets[k] = {point - plane.distance(point) * plane.normal, plane.normal};
@@ -142,7 +145,7 @@ void CreaseFinder::find_shares(const Vec3& point, const Plane& self, std::span<c
   }
   landing.sheet_count = count;
   if (count > 1) {
-    set_shares(point, std::span(landing.sheets).first(count), side, typical_);
+    set_shares(point, std::span(landing.sheets).first(count), side, scales_.noise);
   }
   for (std::size_t k = 0; k < count; ++k) {
     Vec3& foot = landing.sheets[k].foot;
@@ -203,8 +206,6 @@ Landing CreaseFinder::land(const Vec3& point, const Blend& blend, std::uint32_t 
   const double to_corner = norm(*corner - landing.place);
   if (beyond_both && to_corner < reach()) {
     landing.place = *corner;
-    landing.label = Feature::Corner;
-  } else if (to_corner < corner_width * spacing_) {
     landing.label = Feature::Corner;
   }
   return landing;

@@ -21,7 +21,7 @@ struct Landing {
   Vec3 normal;
   Feature label = Feature::Surface;
   /// The sheets that it may be of: its own and those that meet it.
-  std::array<CutSheet, 3> sheets{};
+  std::array<CutSheet, most_sheets> sheets{};
   std::size_t sheet_count = 1;
 };
 
@@ -30,8 +30,8 @@ struct Landing {
 class CreaseFinder {
  public:
   /// @param spacing  of the points, for what counts as on an edge
-  CreaseFinder(std::span<const Sheet> sheets, const BlendScales& scales, double spacing, double typical)
-      : sheets_(sheets), scales_(scales), spacing_(spacing), typical_(typical) {}
+  CreaseFinder(std::span<const Sheet> sheets, const BlendScales& scales, double spacing)
+      : sheets_(sheets), scales_(scales), spacing_(spacing) {}
 
   /// Distance from the place of a point within which nodes are to be given to land().
   [[nodiscard]] double reach() const { return 2.5 * scales_.spacing + 2.5 * scales_.noise; }
@@ -62,7 +62,6 @@ class CreaseFinder {
   std::span<const Sheet> sheets_;
   BlendScales scales_;
   double spacing_;
-  double typical_;
 };
 
 }  // namespace deburr

@@ -10,6 +10,9 @@ namespace {
 /// Side of a cell of one level, in that of the level before, or the spacing of the nodes.
 constexpr double coarsening = 3;
 
+/// Cells are large enough for several sheets, so normals are told apart to about 30 degrees.
+constexpr std::uint32_t normal_bins = 3;
+
 }  // namespace
 
 NodeLevels::NodeLevels(SurfaceNodes fine, double spacing, double noise, const Execution& execution)
@@ -23,7 +26,7 @@ NodeLevels::NodeLevels(SurfaceNodes fine, double spacing, double noise, const Ex
     cell = std::max(coarsening * cell, noise);
     const SurfaceNodes& all = nodes_[level - 1];
     nodes_.push_back(merge_into_cells(all.measured, all.places, all.normals, all.weights, all.trust,
-                                      cell, execution));
+                                      cell, normal_bins, execution));
     trees_.emplace_back(nodes_[level].places, execution);
   }
 }

@@ -12,8 +12,8 @@ namespace deburr {
 /// Resolutions that sheets are fitted over: level 0 has all nodes, every other one fewer.
 inline constexpr std::size_t node_levels = 3;
 
-/// One surface as nodes at several resolutions, so that a fit over a large part of it need not visit
-/// more of them than one over a small part.
+/// One surface as nodes at several resolutions, so that a fit over a large part of it need not
+/// visit more of them than one over a small part.
 class NodeLevels {
  public:
   /// @param fine  the nodes of level 0

@@ -58,7 +58,7 @@ std::vector<Vec3> first_normals(Points points, Normals given, double ratio,
 Pilot find_pilot(const AutomaticInput& input, const Execution& execution) {
   const bool merge = is_dense(input);
   const SurfaceNodes nodes = merge ? merge_into_cells(input.points, input.points, {}, {}, {},
-                                                      cell * input.noise, execution)
+                                                      cell * input.noise, 1, execution)
                                    : nodes_of_points(input.points, input.points, {});
   const double spacing = input.spacing * std::sqrt(static_cast<double>(input.points.size()) /
                                                    static_cast<double>(nodes.size()));

@@ -37,6 +37,7 @@ constexpr double curved_alone = 3;
 constexpr double curved_unknown = 2;
 
 constexpr std::size_t fewest_samples = 5;
+constexpr double normal_reach = 0.5;  ///< of belonging()
 
 }  // namespace
 
@@ -58,7 +59,7 @@ struct SheetFitter::Run {
     const double cosine = 1 / std::sqrt(1 + a * a + b * b);
     const double turn = squared_norm(s.normal - Vec3{-a * cosine, -b * cosine, cosine});
     const double off = (s.place_height - f.height(s.x, s.y)) * cosine / reach;
-    return deburr::belonging(turn, off);
+    return deburr::belonging(turn, off, normal_reach);
   }
 };
 
@@ -92,7 +93,8 @@ Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& ch
   const double variance = run.noise * run.noise;
   const double reach = height_reach(run.noise, levels_.spacing());
 
-  levels_.tree(0).nearest(i, fine_neighbors, std::numeric_limits<double>::infinity(), scratch.found);
+  levels_.tree(0).nearest(i, fine_neighbors, std::numeric_limits<double>::infinity(),
+                          scratch.found);
   gather(run, 0);
   if (scratch.samples.size() < 2) return sheet;
   const double ratio = run.noise / levels_.spacing();
@@ -108,7 +110,7 @@ Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& ch
       if (!sheet.valid) break;
       area = sheet.radius * sheet.radius * growth;
       levels_.tree(level).nearest_to(sheet.frame.origin, coarse_neighbors,
-                              std::numeric_limits<double>::infinity(), scratch.found);
+                                     std::numeric_limits<double>::infinity(), scratch.found);
       if (scratch.found.empty() || scratch.found.back().squared_distance < area) break;
       gather(run, level);
     }

@@ -3,10 +3,9 @@
 #include "sheet_shares.hpp"
 
 #include <algorithm>
-#include <cstdlib>
-#include <limits>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace deburr {
 namespace {
@@ -29,8 +28,8 @@ double normal_share(double t) {
 
 }  // namespace
 
-void set_shares(const Vec3& x, std::span<CutSheet> sheets, const SideOf side[3][3], double noise) {
-  std::array<double, 3> square{};
+void set_shares(const Vec3& x, std::span<CutSheet> sheets, const Sides& side, double noise) {
+  std::array<double, most_sheets> square{};
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < sheets.size(); ++k) {
     square[k] = squared_norm(x - sheets[k].foot) / (noise * noise);
@@ -43,23 +42,16 @@ void set_shares(const Vec3& x, std::span<CutSheet> sheets, const SideOf side[3][
       if (j == k || side[j][k] == 0) continue;
       const double cosine = dot(sheets[j].normal, sheets[k].normal);
       const double sine = std::sqrt(std::max(1e-6, 1 - cosine * cosine));
-      const double inside = side[j][k] * dot(sheets[k].foot - sheets[j].foot, sheets[j].normal) / sine;
+      const double inside =
+          side[j][k] * dot(sheets[k].foot - sheets[j].foot, sheets[j].normal) / sine;
       share *= normal_share(inside / noise);
     }
     sheets[k].share = share;
     total += share;
   }
-  static const double C = getenv("CL") ? atof(getenv("CL")) : 0;
-  std::array<double, 3> f{1, 1, 1};
-  if (C > 0) {
-    for (std::size_t k = 0; k < sheets.size(); ++k) {
-      for (std::size_t j = 0; j < sheets.size(); ++j) {
-        if (j == k) continue;
-        f[k] = std::min(f[k], std::clamp(std::abs(dot(sheets[k].foot - sheets[j].foot, sheets[j].normal)) / (C * noise), 0.05, 1.0));
-      }
-    }
-  }
-  for (std::size_t k = 0; k < sheets.size(); ++k) sheets[k].share = f[k] * (total > 0 ? sheets[k].share / total : 1.0 / sheets.size());
+  // So far from all of them that no number is left.
+  const double none = 1 / static_cast<double>(sheets.size());
+  for (CutSheet& s : sheets) s.share = total > 0 ? s.share / total : none;
 }
 
 }  // namespace deburr

@@ -3,7 +3,6 @@
 #include "surface_nodes.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -21,7 +20,7 @@ constexpr double most_cells = 0x1p31;
 
 struct Key {
   std::uint32_t x, y, z;  ///< of the cell
-  std::uint32_t side;     ///< of six: the largest component of the normal and its sign
+  std::uint32_t side;     ///< where the normal points
   std::uint32_t index;
 
   friend bool operator<(const Key& a, const Key& b) {
@@ -32,17 +31,21 @@ struct Key {
   }
 };
 
-std::uint32_t side_of(const Vec3& n, int K) {
+/// The part of the sphere that a normal points to: one of six sides, cut into bins x bins parts.
+std::uint32_t part_of(const Vec3& n, std::uint32_t bins) {
   const double x = std::abs(n.x);
   const double y = std::abs(n.y);
   const double z = std::abs(n.z);
-  const auto bin = [&](double a, double b, double major) {
-    const auto q = [&](double v) { return std::min<std::uint32_t>(K - 1, static_cast<std::uint32_t>((v / major + 1) * 0.5 * K)); };
-    return 6 * (q(a) * K + q(b));
+  const auto within = [&](double a, double b, double major) {
+    const auto bin = [&](double v) {
+      const double at = major > 0 ? (v / major + 1) * 0.5 * bins : 0;
+      return std::min(bins - 1, static_cast<std::uint32_t>(at));
+    };
+    return 6 * (bin(a) * bins + bin(b));
   };
-  if (x >= y && x >= z) return (n.x < 0 ? 1 : 0) + bin(n.y, n.z, std::max(x, 1e-300));
-  if (y >= z) return (n.y < 0 ? 3 : 2) + bin(n.x, n.z, y);
-  return (n.z < 0 ? 5 : 4) + bin(n.x, n.y, z);
+  if (x >= y && x >= z) return (n.x < 0 ? 1U : 0U) + within(n.y, n.z, x);
+  if (y >= z) return (n.y < 0 ? 3U : 2U) + within(n.x, n.z, y);
+  return (n.z < 0 ? 5U : 4U) + within(n.x, n.y, z);
 }
 
 }  // namespace
@@ -63,7 +66,7 @@ SurfaceNodes nodes_of_points(Points measured, Points places, Normals normals,
 
 SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
                               std::span<const double> weights, std::span<const double> trust,
-                              double cell, const Execution& execution) {
+                              double cell, std::uint32_t bins, const Execution& execution) {
   const Box box = bounding_box(places);
   const Vec3 extent = box.high - box.low;
   const double longest = std::max({extent.x, extent.y, extent.z});
@@ -74,12 +77,11 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
     // The far end of the box belongs to the last cell.
     return static_cast<std::uint32_t>(std::min((v - low) * per_length, count - 1));
   };
-  static const int K0 = getenv("K0") ? atoi(getenv("K0")) : 1;static const int K1 = getenv("K1") ? atoi(getenv("K1")) : 3;
   std::vector<Key> keys(places.size());
   for (std::uint32_t i = 0; i < keys.size(); ++i) {
     const Vec3& p = places[i];
     keys[i] = {along(p.x, box.low.x), along(p.y, box.low.y), along(p.z, box.low.z),
-               normals.empty() ? 0 : side_of(normals[i], weights.empty() ? K0 : K1), i};
+               normals.empty() ? 0 : part_of(normals[i], bins), i};
   }
   parallel_sort(keys, execution);
 

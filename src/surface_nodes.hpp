@@ -17,7 +17,7 @@ struct SurfaceNodes {
   std::vector<Vec3> measured;     ///< means of the noisy positions
   std::vector<Vec3> places;       ///< means of the positions on the surface, as known so far
   std::vector<Vec3> normals;      ///< unit, or zero
-  std::vector<double> weights;    ///< numbers of points
+  std::vector<double> weights;    ///< numbers of points whose mean is as sure
   std::vector<double> trust;      ///< how surely their points are of this sheet, in (0, 1]
   std::vector<std::uint32_t> of;  ///< the node of each point that went in
 
@@ -29,13 +29,14 @@ struct SurfaceNodes {
 SurfaceNodes nodes_of_points(Points measured, Points places, Normals normals,
                              std::span<const double> trust = {});
 
-/// Merges what lies in one cell of a grid and has normals with the same largest component and sign.
-/// The grid is measured off the bounding box of the places, so that neither unit nor place matter.
+/// Merges what lies in one cell of a grid and has normals of the same part of the sphere: those
+/// with the same largest component and sign, cut into bins x bins parts. The grid is measured off
+/// the bounding box of the places, so that neither unit nor place matter.
 /// @param normals  empty to merge whatever lies in a cell
 /// @param weights,trust  empty for 1 each
 /// @param cell  side of a cell, > 0
 SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
                               std::span<const double> weights, std::span<const double> trust,
-                              double cell, const Execution& execution);
+                              double cell, std::uint32_t bins, const Execution& execution);
 
 }  // namespace deburr
