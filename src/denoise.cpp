@@ -175,6 +175,7 @@ DenoiseResult denoise(const PointCloud& cloud, const DenoiseOptions& options,
   if (options.automatic.outliers == OutlierAction::Remove && report.outliers > 0) {
     remove_outliers(result);
   }
+  report.kept = result.cloud.size();
   report.stages = std::move(clock).times();
   return result;
 }
