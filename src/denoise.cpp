@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -29,6 +30,23 @@ constexpr double most_deviations = 4;
 /// Noise that the default method works with at least, in spacings: rounding must not pass for a
 /// surface.
 constexpr double least_noise = 0.01;
+
+/// How the noise between sheets that lie close over each other is used: noise takes points to the
+/// wrong one of them, and fits that expect all of it draw them together. So less is expected where
+/// they are fewer standard deviations apart, and no point moves by more than a part of the gap.
+struct Caution {
+  double noise = 1;  ///< share of the noise to expect
+  double max_move = std::numeric_limits<double>::infinity();
+
+  explicit Caution(const NoiseEstimate& estimate) {
+    constexpr double clear = 7;  // standard deviations from which on hardly a point is in between
+    constexpr double least = 0.6;
+    constexpr double way = 0.3;
+    if (!(estimate.gap > 0)) return;
+    noise = std::clamp(estimate.gap / (clear * estimate.sigma), least, 1.0);
+    max_move = way * estimate.gap;
+  }
+};
 
 /// What is common to both methods: finds spacing and noise.
 void measure_spacing(Points points, std::size_t k, const WorkingSet& set, Report& report,
@@ -92,9 +110,12 @@ void run_automatic(const AutoOptions& options, const WorkingSet& set, bool keep_
       estimate.spacing > 0 || options.noise == 0 ? estimate.spacing : local(report.spacing);
   if (!(spacing > 0)) return;
   constexpr std::array by_strength{0.5, 1 / std::numbers::sqrt2, 1.0, std::numbers::sqrt2, 2.0};
-  const double noise = (options.noise > 0 ? local(options.noise) : estimate.sigma) *
+  const Caution caution(options.noise > 0 ? NoiseEstimate{} : estimate);
+  const double noise = (options.noise > 0 ? local(options.noise) : caution.noise * estimate.sigma) *
                        by_strength.at(static_cast<std::size_t>(options.strength - 1));
-  const double max_move = options.max_move > 0 ? local(options.max_move) : most_deviations * noise;
+  const double max_move = options.max_move > 0
+                              ? local(options.max_move)
+                              : std::min(most_deviations * noise, caution.max_move);
   report.noise = set.length(noise);
   report.max_move = set.length(max_move);
   AutomaticResult result = denoise_automatically(
