@@ -122,6 +122,8 @@ void run_automatic(const AutoOptions& options, const WorkingSet& set, bool keep_
   double max_move =
       given_move > 0 ? given_move : std::min(most_deviations * noise, caution.max_move);
   const double least = least_noise * spacing;
+  // Where much of the cloud has none, what looks like noise elsewhere is detail.
+  if (!(estimate.sigma > least)) local_noise.sigma.clear();
   for (double& sigma : local_noise.sigma) sigma *= strength;
   const NoiseLevels levels = find_noise_levels(local_noise.sigma, least);
   const AutomaticInput input{points, normals, std::max(noise, least), spacing, max_move};

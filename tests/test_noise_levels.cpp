@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "deburr/denoise.hpp"
+#include "deburr/synth.hpp"
 #include "noise_levels.hpp"
 #include "support/shapes.hpp"
 
@@ -56,6 +57,14 @@ TEST(Denoise, FollowsTheNoiseFromPlaceToPlace) {
   for (const double d : local.displacement) EXPECT_LE(d, local.report.max_move);
   const DenoiseResult bounded = denoise(cloud, {.automatic = {.max_move = 0.01}});
   for (const double d : bounded.displacement) EXPECT_LE(d, 0.01);
+}
+
+// Patches over its edges seem to have noise, others none.
+TEST(Denoise, TakesNoDetailOfAnExactPartForNoise) {
+  const SyntheticScan scan = synthesize(Shape::Part, {.points = 1000, .noise = 0});
+  double moved = 0;
+  for (const double d : denoise(scan.cloud).displacement) moved += d;
+  EXPECT_LT(moved / 1000, 0.01 * scan.spacing);
 }
 
 TEST(Denoise, HasOneLevelWhereTheNoiseIsOne) {
