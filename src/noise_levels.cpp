@@ -47,7 +47,10 @@ NoiseLevels find_noise_levels(std::span<const double> local, double least) {
   }
   const double high = std::max(quantile(all, highest), least);
   const double low = std::max({quantile(all, lowest), high / most_ratio, least});
-  for (double sigma = low; sigma < high * std::sqrt(2.0); sigma *= 2) levels.sigma.push_back(sigma);
+  levels.sigma.push_back(low);
+  while (2 * levels.sigma.back() < high * std::sqrt(2.0)) {
+    levels.sigma.push_back(2 * levels.sigma.back());
+  }
   levels.at.resize(local.size());
   for (std::size_t i = 0; i < local.size(); ++i) levels.at[i] = by_level(levels.sigma, local[i]);
   for (double& sigma : levels.sigma) sigma *= lift;
