@@ -54,7 +54,8 @@ struct AutoOptions {
   /// assumed larger by a factor of sqrt(2), 3 is the estimate.
   int strength = 3;
   double noise = 0;     ///< standard deviation of the noise, input units, >= 0; 0 to estimate it
-  double max_move = 0;  ///< no point moves farther, input units, >= 0; 0 for 4 times the noise
+  double max_move = 0;  ///< no point moves farther, input units, >= 0; 0 for 4 times the noise,
+                        ///< less between sheets that lie close over each other
   OutlierAction outliers = OutlierAction::Label;
 };
 
