@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deburr/position_update.hpp"
 
+#include <algorithm>
+#include <array>
+#include <limits>
+
 #include "parallel.hpp"
 #include "point_move.hpp"
 #include "require.hpp"
+#include "rows.hpp"
 
 namespace deburr {
 namespace {
@@ -23,6 +28,37 @@ void validate(Points original, Points points, Normals normals, const Neighborhoo
   require(options.max_move >= 0, "position_update.max_move", ">= 0", options.max_move);
 }
 
+/// One round of classifying and moving.
+struct Sweep {
+  Points original;
+  Oriented cloud;
+  const Neighborhoods& neighborhoods;
+  const FeatureOptions& features;
+  const PositionUpdateOptions& options;
+
+  /// Classifies up to eight points and tells where each of them goes. None sees the others move.
+  template <typename Move>
+  void move(std::span<const std::uint32_t> batch, FeatureField& field, const Move& to) const {
+    Moments moments;
+    SurfaceSums sums;
+    PointClasses classes;
+    for (std::size_t l = 0; l < batch.size(); ++l) {
+      add_both(batch[l], cloud, neighborhoods[batch[l]], features.rho, options, l, moments, sums);
+    }
+    classify_points(moments, features, classes);
+    std::array<Vec3, lane_count> moved;
+    for (std::size_t l = 0; l < batch.size(); ++l) {
+      const std::uint32_t i = batch[l];
+      moved[l] = move_point(i, original[i], cloud, classes[l], neighborhoods[i], sums, l, options);
+    }
+    for (std::size_t l = 0; l < batch.size(); ++l) {
+      to(batch[l], moved[l]);
+      field.label[batch[l]] = classes[l].label;
+      field.direction[batch[l]] = classes[l].direction;
+    }
+  }
+};
+
 }  // namespace
 
 std::vector<Vec3> update_positions(Points original, Points points, Normals normals,
@@ -32,10 +68,17 @@ std::vector<Vec3> update_positions(Points original, Points points, Normals norma
   validate(original, points, normals, neighborhoods, options);
   require_size("features.label", features.label.size(), points.size());
   require_size("features.direction", features.direction.size(), points.size());
+  const std::vector<Row> point_rows = make_rows(points, execution);
+  const std::vector<Row> normal_rows = make_rows(normals, execution);
+  const Oriented cloud{point_rows.data(), normal_rows.data()};
   std::vector<Vec3> moved(points.size());
   parallel_for(points.size(), execution, [&](std::size_t i) {
-    moved[i] = move_point(i, original[i], points, normals,
-                          {features.label[i], features.direction[i]}, neighborhoods[i], options);
+    SurfaceSums sums;
+    if (features.label[i] == Feature::Surface) {
+      add_offsets(i, cloud, neighborhoods[i], options, 0, sums);
+    }
+    moved[i] = move_point(i, original[i], cloud, {features.label[i], features.direction[i]},
+                          neighborhoods[i], sums, 0, options);
   });
   return moved;
 }
@@ -46,15 +89,20 @@ FeatureField sweep_at_once(Points original, std::vector<Vec3>& points, Normals n
                            const PositionUpdateOptions& options, const Execution& execution) {
   validate(original, points, normals, neighborhoods, options);
   validate(feature_options);
+  const std::vector<Row> point_rows = make_rows(points, execution);
+  const std::vector<Row> normal_rows = make_rows(normals, execution);
+  const Sweep sweep{
+      original, {point_rows.data(), normal_rows.data()}, neighborhoods, feature_options, options};
   FeatureField field{std::vector<Feature>(points.size()), std::vector<Vec3>(points.size())};
-  std::vector<Vec3> moved(points.size());
-  parallel_for(points.size(), execution, [&](std::size_t i) {
-    const PointClass c = classify_point(i, points, normals, neighborhoods[i], feature_options);
-    moved[i] = move_point(i, original[i], points, normals, c, neighborhoods[i], options);
-    field.label[i] = c.label;
-    field.direction[i] = c.direction;
+  parallel_blocks(points.size(), execution, [&](std::size_t begin, std::size_t end) {
+    std::array<std::uint32_t, lane_count> batch{};
+    for (std::size_t from = begin; from < end; from += lane_count) {
+      const std::size_t count = std::min(lane_count, end - from);
+      for (std::size_t l = 0; l < count; ++l) batch[l] = static_cast<std::uint32_t>(from + l);
+      sweep.move({batch.data(), count}, field,
+                 [&](std::size_t i, const Vec3& moved) { points[i] = moved; });
+    }
   });
-  points = std::move(moved);
   return field;
 }
 
@@ -65,6 +113,12 @@ FeatureField sweep_in_place(Points original, std::vector<Vec3>& points, Normals 
                             std::span<const std::uint32_t> order, const Execution& execution) {
   validate(original, points, normals, neighborhoods, options);
   validate(feature_options);
+  require(points.size() <= std::numeric_limits<std::uint32_t>::max(), "points", "fewer than 2^32",
+          points.size());
+  std::vector<Row> point_rows = make_rows(points, execution);
+  const std::vector<Row> normal_rows = make_rows(normals, execution);
+  const Sweep sweep{
+      original, {point_rows.data(), normal_rows.data()}, neighborhoods, feature_options, options};
   FeatureField field{std::vector<Feature>(points.size(), Feature::Isolated),
                      std::vector<Vec3>(points.size())};
   const std::size_t count = order.empty() ? points.size() : order.size();
@@ -75,12 +129,12 @@ FeatureField sweep_in_place(Points original, std::vector<Vec3>& points, Normals 
         execution.progress({"", static_cast<double>(at) / static_cast<double>(count)});
       }
     }
-    const std::size_t i = order.empty() ? at : order[at];
+    const std::uint32_t i = order.empty() ? static_cast<std::uint32_t>(at) : order[at];
     require(i < points.size(), "order", "made of indices of points", i);
-    const PointClass c = classify_point(i, points, normals, neighborhoods[i], feature_options);
-    points[i] = move_point(i, original[i], points, normals, c, neighborhoods[i], options);
-    field.label[i] = c.label;
-    field.direction[i] = c.direction;
+    sweep.move({&i, 1}, field, [&](std::size_t, const Vec3& moved) {
+      points[i] = moved;
+      point_rows[i] = Row(moved);
+    });
   }
   return field;
 }
