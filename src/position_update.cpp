@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 
 #include "parallel.hpp"
 #include "point_move.hpp"
 #include "require.hpp"
 #include "rows.hpp"
+#include "sweep.hpp"
 
 namespace deburr {
 namespace {
@@ -28,6 +30,16 @@ void validate(Points original, Points points, Normals normals, const Neighborhoo
   require(options.max_move >= 0, "position_update.max_move", ">= 0", options.max_move);
 }
 
+/// Starts to bring a list from memory.
+void prefetch(std::span<const std::uint32_t> list) {
+  constexpr std::size_t per_line = 64 / sizeof(std::uint32_t);
+  constexpr int for_reading = 0;
+  constexpr int to_second_level = 2;
+  for (std::size_t k = 0; k < list.size(); k += per_line) {
+    __builtin_prefetch(&list[k], for_reading, to_second_level);
+  }
+}
+
 /// One round of classifying and moving.
 struct Sweep {
   Points original;
@@ -37,12 +49,15 @@ struct Sweep {
   const PositionUpdateOptions& options;
 
   /// Classifies up to eight points and tells where each of them goes. None sees the others move.
+  /// @param next  the batch after this one, whose neighbourhoods are fetched in the meantime
   template <typename Move>
-  void move(std::span<const std::uint32_t> batch, FeatureField& field, const Move& to) const {
+  void move(std::span<const std::uint32_t> batch, std::span<const std::uint32_t> next,
+            FeatureField& field, const Move& to) const {
     Moments moments;
     SurfaceSums sums;
     PointClasses classes;
     for (std::size_t l = 0; l < batch.size(); ++l) {
+      if (l < next.size()) prefetch(neighborhoods[next[l]]);
       add_both(batch[l], cloud, neighborhoods[batch[l]], features.rho, options, l, moments, sums);
     }
     classify_points(moments, features, classes);
@@ -99,44 +114,80 @@ FeatureField sweep_at_once(Points original, std::vector<Vec3>& points, Normals n
     for (std::size_t from = begin; from < end; from += lane_count) {
       const std::size_t count = std::min(lane_count, end - from);
       for (std::size_t l = 0; l < count; ++l) batch[l] = static_cast<std::uint32_t>(from + l);
-      sweep.move({batch.data(), count}, field,
+      sweep.move({batch.data(), count}, {}, field,
                  [&](std::size_t i, const Vec3& moved) { points[i] = moved; });
     }
   });
   return field;
 }
 
-FeatureField sweep_in_place(Points original, std::vector<Vec3>& points, Normals normals,
-                            const Neighborhoods& neighborhoods,
-                            const FeatureOptions& feature_options,
-                            const PositionUpdateOptions& options,
-                            std::span<const std::uint32_t> order, const Execution& execution) {
+namespace {
+
+/// Moves batches of points in place: batch(k) gives the k-th of them.
+template <typename Batch>
+FeatureField sweep_batches(std::size_t count, const Batch& batch, Points original,
+                           std::vector<Vec3>& points, Normals normals,
+                           const Neighborhoods& neighborhoods,
+                           const FeatureOptions& feature_options,
+                           const PositionUpdateOptions& options, const Execution& execution) {
   validate(original, points, normals, neighborhoods, options);
   validate(feature_options);
-  require(points.size() <= std::numeric_limits<std::uint32_t>::max(), "points", "fewer than 2^32",
-          points.size());
   std::vector<Row> point_rows = make_rows(points, execution);
   const std::vector<Row> normal_rows = make_rows(normals, execution);
   const Sweep sweep{
       original, {point_rows.data(), normal_rows.data()}, neighborhoods, feature_options, options};
   FeatureField field{std::vector<Feature>(points.size(), Feature::Isolated),
                      std::vector<Vec3>(points.size())};
-  const std::size_t count = order.empty() ? points.size() : order.size();
-  for (std::size_t at = 0; at < count; ++at) {
-    if (at % block_size == 0) {
+  constexpr std::size_t stretch = block_size / lane_count;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (k % stretch == 0) {
       check_cancelled(execution);
       if (execution.progress) {
-        execution.progress({"", static_cast<double>(at) / static_cast<double>(count)});
+        execution.progress({"", static_cast<double>(k) / static_cast<double>(count)});
       }
     }
-    const std::uint32_t i = order.empty() ? static_cast<std::uint32_t>(at) : order[at];
-    require(i < points.size(), "order", "made of indices of points", i);
-    sweep.move({&i, 1}, field, [&](std::size_t, const Vec3& moved) {
-      points[i] = moved;
-      point_rows[i] = Row(moved);
-    });
+    sweep.move(batch(k), k + 1 < count ? batch(k + 1) : std::span<const std::uint32_t>(), field,
+               [&](std::size_t i, const Vec3& moved) {
+                 points[i] = moved;
+                 point_rows[i] = Row(moved);
+               });
   }
   return field;
+}
+
+}  // namespace
+
+FeatureField sweep_in_place(Points original, std::vector<Vec3>& points, Normals normals,
+                            const Neighborhoods& neighborhoods,
+                            const FeatureOptions& feature_options,
+                            const PositionUpdateOptions& options,
+                            std::span<const std::uint32_t> order, const Execution& execution) {
+  require(points.size() <= std::numeric_limits<std::uint32_t>::max(), "points", "fewer than 2^32",
+          points.size());
+  std::vector<std::uint32_t> by_index;
+  if (order.empty()) {
+    by_index.resize(points.size());
+    std::iota(by_index.begin(), by_index.end(), 0U);
+    order = by_index;
+  }
+  for (const std::uint32_t i : order) {
+    require(i < points.size(), "order", "made of indices of points", i);
+  }
+  return sweep_batches(
+      order.size(), [&](std::size_t at) { return order.subspan(at, 1); }, original, points, normals,
+      neighborhoods, feature_options, options, execution);
+}
+
+FeatureField sweep_along(const SweepPlan& plan, Points original, std::vector<Vec3>& points,
+                         Normals normals, const Neighborhoods& neighborhoods,
+                         const FeatureOptions& feature_options,
+                         const PositionUpdateOptions& options, const Execution& execution) {
+  const auto batch = [&](std::size_t k) {
+    const std::uint32_t begin = k > 0 ? plan.ends[k - 1] : 0;
+    return std::span(plan.order).subspan(begin, plan.ends[k] - begin);
+  };
+  return sweep_batches(plan.ends.size(), batch, original, points, normals, neighborhoods,
+                       feature_options, options, execution);
 }
 
 }  // namespace deburr
