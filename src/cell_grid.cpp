@@ -8,14 +8,13 @@
 
 #include "box.hpp"
 #include "distance_sort.hpp"
-#include "kd_tree.hpp"
 #include "lanes.hpp"
 #include "parallel.hpp"
 
 namespace deburr {
 namespace {
 
-/// A cell is by so much wider than its part of the radius, that rounding cannot move a neighbour
+/// A cell is by so much wider than the radius, that rounding cannot move a neighbour
 /// beyond the cells that are searched: coordinates in cells are off by less than
 /// 3 * 2^-53 * most_along < 1e-9.
 constexpr double wider = 1e-6;
@@ -30,7 +29,7 @@ constexpr double smallest_radius = 1e-100;
 constexpr double largest_radius = 1e100;
 
 /// A search that meets so many times the points that are wanted is left to the k-d tree.
-constexpr double most_waste = 8;
+constexpr double most_waste = 4;
 
 /// More pairs within single cells than this are left to the tree, which counts without looking.
 constexpr double most_cell_pairs = 4e9;
@@ -49,7 +48,7 @@ struct CellGrid::Runs {
     std::uint32_t begin, end;
     double y, z;  ///< of the row of cells, in cells
   };
-  std::array<Run, 25> runs;
+  std::array<Run, 9> runs;
   std::size_t count = 0;
   std::uint64_t cell = ~std::uint64_t{0};
   std::size_t candidates = 0;
@@ -62,28 +61,23 @@ std::optional<CellGrid> CellGrid::make(Points points, double radius, std::size_t
   const Vec3 half = half_extent(box);
   CellGrid grid;
   grid.squared_radius_ = radius * radius;
-  for (const std::uint32_t reach : {2U, 1U}) {
-    const double width = radius / reach * (1 + wider);
-    const auto along = [&](double half_side) { return std::floor(2 * (half_side / width)) + 2; };
-    const std::array sides{along(half.x), along(half.y), along(half.z)};
-    if (!(*std::max_element(sides.begin(), sides.end()) <= most_along)) continue;
-    const double cells = sides[0] * sides[1] * sides[2];
-    if (cells > std::min(most_cells * static_cast<double>(points.size()) + 64, most_cells_at_all)) {
-      continue;
-    }
-    grid.reach_ = reach;
-    grid.per_cell_ = 1 / width;
-    grid.axes_ = {Axis{box.low.x, static_cast<std::uint32_t>(sides[0])},
-                  Axis{box.low.y, static_cast<std::uint32_t>(sides[1])},
-                  Axis{box.low.z, static_cast<std::uint32_t>(sides[2])}};
-    grid.sort_points(points, execution);
-    // Points of one cell of half the width are all neighbours of each other.
-    const double pairs = grid.squared_occupancy();
-    const double wanted = most_waste * static_cast<double>(points.size() * max_count);
-    if (pairs > most_cell_pairs || (max_count > 0 && pairs > wanted)) return {};
-    return grid;
+  const double width = radius * (1 + wider);
+  const auto along = [&](double half_side) { return std::floor(2 * (half_side / width)) + 2; };
+  const std::array sides{along(half.x), along(half.y), along(half.z)};
+  if (!(*std::max_element(sides.begin(), sides.end()) <= most_along)) return {};
+  const auto count = static_cast<double>(points.size());
+  if (sides[0] * sides[1] * sides[2] > std::min(most_cells * count + 64, most_cells_at_all)) {
+    return {};
   }
-  return {};
+  grid.per_cell_ = 1 / width;
+  grid.axes_ = {Axis{box.low.x, static_cast<std::uint32_t>(sides[0])},
+                Axis{box.low.y, static_cast<std::uint32_t>(sides[1])},
+                Axis{box.low.z, static_cast<std::uint32_t>(sides[2])}};
+  grid.sort_points(points, execution);
+  const double pairs = grid.squared_occupancy();
+  const double wanted = most_waste * count * static_cast<double>(max_count);
+  if (pairs > most_cell_pairs || (max_count > 0 && pairs > wanted)) return {};
+  return grid;
 }
 
 void CellGrid::sort_points(Points points, const Execution& execution) {
@@ -138,9 +132,9 @@ void CellGrid::set_runs(std::size_t slot, Runs& runs) const {
   runs.cell = cell;
   runs.count = 0;
   runs.candidates = 0;
-  const auto first = [&](std::uint32_t c) { return c - std::min(c, reach_); };
+  const auto first = [&](std::uint32_t c) { return c - std::min(c, 1U); };
   const auto last = [&](std::uint32_t c, const Axis& axis) {
-    return std::min(c + reach_, axis.cells - 1);
+    return std::min(c + 1, axis.cells - 1);
   };
   for (std::uint32_t z = first(cz); z <= last(cz, axes_[2]); ++z) {
     for (std::uint32_t y = first(cy); y <= last(cy, axes_[1]); ++y) {
@@ -160,7 +154,7 @@ namespace {
 double squared_gap(double y, double z, double row_y, double row_z) {
   const double gap_y = std::max({row_y - y, y - row_y - 1, 0.0});
   const double gap_z = std::max({row_z - z, z - row_z - 1, 0.0});
-  return gap_y * gap_y + gap_z * gap_z - 16 * wider;
+  return gap_y * gap_y + gap_z * gap_z - 8 * wider;
 }
 
 /// Squared distances of eight points from (x, y, z), as squared_norm() of the difference.
@@ -193,7 +187,8 @@ std::int64_t count_run(const double* x, const double* y, const double* z, std::s
 DEBURR_MULTIVERSION
 std::size_t append_run(const double* x, const double* y, const double* z,
                        const std::uint32_t* index, std::size_t count, const Vec3& place,
-                       double squared_radius, Found* found, std::size_t size) {
+                       double squared_radius, double* squared_distances_found,
+                       std::uint32_t* indices_found, std::size_t size) {
   const Lanes3 at = all_lanes(place);
   for (std::size_t k = 0; k < count; k += lane_count) {
     std::array<double, lane_count> squared;
@@ -201,7 +196,9 @@ std::size_t append_run(const double* x, const double* y, const double* z,
     std::memcpy(squared.data(), &d, sizeof d);
     const std::size_t lanes = std::min(lane_count, count - k);
     for (std::size_t l = 0; l < lanes; ++l) {
-      found[size] = {squared[l], index[k + l]};  // written over by the next one if too far
+      // Written over by the next one if too far.
+      squared_distances_found[size] = squared[l];
+      indices_found[size] = index[k + l];
       size += squared[l] <= squared_radius ? 1U : 0U;
     }
   }
@@ -212,7 +209,6 @@ std::size_t append_run(const double* x, const double* y, const double* z,
 
 void CellGrid::count(std::size_t begin, std::size_t end, std::size_t* counts) const {
   Runs runs;
-  const double reach = reach_ * reach_;
   for (std::size_t slot = begin; slot < end; ++slot) {
     set_runs(slot, runs);
     const Vec3 at{x_[slot], y_[slot], z_[slot]};
@@ -221,7 +217,7 @@ void CellGrid::count(std::size_t begin, std::size_t end, std::size_t* counts) co
     std::int64_t near = -1;  // the point itself
     for (std::size_t r = 0; r < runs.count; ++r) {
       const Runs::Run& run = runs.runs[r];
-      if (squared_gap(y, z, run.y, run.z) > reach) continue;
+      if (squared_gap(y, z, run.y, run.z) > 1) continue;
       near += count_run(&x_[run.begin], &y_[run.begin], &z_[run.begin], run.end - run.begin, at,
                         squared_radius_);
     }
@@ -233,28 +229,21 @@ void CellGrid::find(std::size_t begin, std::size_t end, std::span<const std::siz
                     std::span<std::uint32_t* const> to) const {
   Runs runs;
   DistanceSort sort(squared_radius_);
-  std::vector<Found> found;
-  const double reach = reach_ * reach_;
   for (std::size_t slot = begin; slot < end; ++slot) {
     set_runs(slot, runs);
-    if (found.size() < runs.candidates + 1) found.resize(2 * runs.candidates + 1);
+    sort.reserve(runs.candidates + 1);
     const Vec3 at{x_[slot], y_[slot], z_[slot]};
     const double y = (at.y - axes_[1].low) * per_cell_;
     const double z = (at.z - axes_[2].low) * per_cell_;
     std::size_t size = 0;
     for (std::size_t r = 0; r < runs.count; ++r) {
       const Runs::Run& run = runs.runs[r];
-      if (squared_gap(y, z, run.y, run.z) > reach) continue;
+      if (squared_gap(y, z, run.y, run.z) > 1) continue;
       size = append_run(&x_[run.begin], &y_[run.begin], &z_[run.begin], &index_[run.begin],
-                        run.end - run.begin, at, squared_radius_, found.data(), size);
+                        run.end - run.begin, at, squared_radius_, sort.squared_distances(),
+                        sort.indices(), size);
     }
-    // The point itself is there too, maybe with others at its place.
-    const std::uint32_t self = index_[slot];
-    const auto last = found.begin() + static_cast<std::ptrdiff_t>(size);
-    std::iter_swap(
-        std::find_if(found.begin(), last, [&](const Found& f) { return f.index == self; }),
-        last - 1);
-    sort.write({found.data(), size - 1}, wanted[slot - begin], to[slot - begin]);
+    sort.write(size, index_[slot], wanted[slot - begin], to[slot - begin]);
   }
 }
 

@@ -17,8 +17,8 @@ namespace deburr {
 /// The points of a cloud sorted into cubes of a grid, for searches within one radius that is known
 /// beforehand. Exact: finds what `KdTree::within` finds, in the same order.
 ///
-/// A cube is half a radius wide, or a whole one where halves would be too many. Cubes along x stand
-/// next to each other in memory, so that a search reads at most 25 runs of points, eight at a time.
+/// A cube is one radius wide. Cubes along x stand next to each other in memory, so that a search
+/// reads at most nine runs of points, eight points at a time.
 class CellGrid {
  public:
   /// A grid over finite points, or none where it would not pay: where the cubes would be many more
@@ -49,12 +49,11 @@ class CellGrid {
 
   CellGrid() = default;
   void sort_points(Points points, const Execution& execution);
-  [[nodiscard]] double squared_occupancy() const;
+  [[nodiscard]] double squared_occupancy() const;  ///< pairs of points of one cell
   void set_runs(std::size_t slot, Runs& runs) const;
 
   double squared_radius_ = 0;
-  std::uint32_t reach_ = 1;  ///< radius in cells
-  double per_cell_ = 0;      ///< 1 / width of a cell
+  double per_cell_ = 0;  ///< 1 / width of a cell
   std::array<Axis, 3> axes_;
   std::vector<std::uint32_t> begins_;  ///< first slot of each cell, and the end of the last
   std::vector<double> x_, y_, z_;      ///< by slot, with a few more that are read but never used

@@ -46,6 +46,8 @@ std::vector<Vec3> sheet(std::size_t n, double thickness, unsigned seed) {
 TEST(CellGrid, FindsWhatBruteForceFinds) {
   expect_exact(random_points(600, 1), 0.3);
   expect_exact(random_points(600, 2), 0.1);
+  expect_exact(random_points(600, 13), 0.5);  // too many to be ranked
+  expect_exact(random_points(600, 14), 0.5, 50);
   expect_exact(sheet(800, 0.02, 3), 0.12);
   expect_exact(sheet(800, 0.02, 3), 0.12, 17);
   expect_exact(sheet(800, 0, 4), 0.12, 3);
