@@ -10,11 +10,13 @@ struct PointMoments {
   Lanes3 sum;
   LanesSym3 outer;
 
-  DEBURR_LANES_INLINE void add(double rho, const Lanes3& n, const Lanes3& m, const Lanes3& d) {
+  /// Returns 1 for neighbours that count, 0 for others.
+  DEBURR_LANES_INLINE Lanes add(double rho, const Lanes3& n, const Lanes3& m, const Lanes3& d) {
     const Lanes similar = dot(n, m) > rho ? all_lanes(1) : Lanes{};
     count += similar;
     sum = sum + similar * d;
     outer.add_outer(similar, d);
+    return similar;
   }
   DEBURR_LANES_INLINE void put(std::size_t l, Moments& to) const {
     to.count[l] = deburr::sum(count);
@@ -93,6 +95,28 @@ void add_both(std::size_t i, const Oriented& cloud, std::span<const std::uint32_
   }
   point_moments.put(l, moments);
   point_sums.put(l, sums);
+}
+
+DEBURR_MULTIVERSION
+void add_all(std::size_t i, const Oriented& cloud, std::span<const std::uint32_t> neighbors,
+             double rho, const PositionUpdateOptions& options, std::size_t l, Moments& moments,
+             SurfaceSums& sums, Votes& votes) {
+  const Lanes3 x = all_lanes(Vec3(cloud.points[i]));
+  const Lanes3 n = all_lanes(Vec3(cloud.normals[i]));
+  PointMoments point_moments;
+  PointOffsets point_sums(options);
+  LanesSym3 tensor;
+  for (std::size_t k = 0; k < neighbors.size(); k += lane_count) {
+    const Lanes3 d = load(cloud.points, neighbors, k) - x;
+    const Lanes3 m = load(cloud.normals, neighbors, k);  // zero beyond the end of the list
+    const Lanes vote = point_moments.add(rho, n, m, d);
+    tensor.add_outer(vote, m);
+    point_sums.add(present(neighbors.size(), k), n, m, d);
+  }
+  point_moments.put(l, moments);
+  point_sums.put(l, sums);
+  set_lane(votes.sum, l, sum(tensor));
+  votes.count[l] = moments.count[l];
 }
 
 DEBURR_MULTIVERSION

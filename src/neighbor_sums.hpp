@@ -9,6 +9,7 @@
 #include "deburr/features.hpp"
 #include "deburr/position_update.hpp"
 #include "lanes.hpp"
+#include "normal_votes.hpp"
 #include "rows.hpp"
 
 namespace deburr {
@@ -53,6 +54,11 @@ void add_offsets(std::size_t i, const Oriented& cloud, std::span<const std::uint
 void add_both(std::size_t i, const Oriented& cloud, std::span<const std::uint32_t> neighbors,
               double rho, const PositionUpdateOptions& options, std::size_t l, Moments& moments,
               SurfaceSums& sums);
+
+/// In the same pass the votes on the normal, of those neighbours that count for the moments.
+void add_all(std::size_t i, const Oriented& cloud, std::span<const std::uint32_t> neighbors,
+             double rho, const PositionUpdateOptions& options, std::size_t l, Moments& moments,
+             SurfaceSums& sums, Votes& votes);
 
 /// What moving point i needs if it is on an edge or a corner.
 /// @param along  the edge, to leave out what lies along it; zero for a corner

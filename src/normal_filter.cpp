@@ -3,26 +3,22 @@
 #include "deburr/normal_filter.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "lane_spectrum.hpp"
 #include "lanes.hpp"
+#include "normal_votes.hpp"
 #include "parallel.hpp"
 #include "require.hpp"
-#include "rows.hpp"
 
 namespace deburr {
 namespace {
 
-/// For each of eight points, the sum of n_j n_j^T over its voters, and their number.
-struct Votes {
-  LanesSym3 sum;
-  Lanes count{};
-};
-
 /// Votes for the points [begin, end), at most eight. A zero normal never votes, since rho is not
 /// negative.
-DEBURR_LANES_INLINE void count_votes(std::size_t begin, std::size_t end, const Row* normals,
-                                     const Neighborhoods& neighborhoods, double rho, Votes& votes) {
+DEBURR_MULTIVERSION
+void count_votes(std::size_t begin, std::size_t end, const Row* normals,
+                 const Neighborhoods& neighborhoods, double rho, Votes& votes) {
   for (std::size_t i = begin; i < end; ++i) {
     const auto neighbors = neighborhoods[i];
     const Lanes3 n = all_lanes(Vec3(normals[i]));
@@ -53,31 +49,26 @@ DEBURR_LANES_INLINE Lanes3 project_on_dominant(const LanesSym3& tensor,
   return projected;
 }
 
-/// Filters the normals of the points [begin, end), eight at a time.
+}  // namespace
+
 DEBURR_MULTIVERSION
-void filter_block(std::size_t begin, std::size_t end, const Row* normals,
-                  const Neighborhoods& neighborhoods, const NormalFilterOptions& options,
-                  Voteless voteless, Vec3* filtered) {
-  for (std::size_t from = begin; from < end; from += lane_count) {
-    const std::size_t to = std::min(end, from + lane_count);
-    Votes votes;
-    count_votes(from, to, normals, neighborhoods, options.rho, votes);
-    votes.sum.scale(1 / votes.count);
-    Lanes3 n;
-    for (std::size_t i = from; i < to; ++i) set_lane(n, i - from, Vec3(normals[i]));
-    const Lanes3 result =
-        unit(all_lanes(options.damping) * n + project_on_dominant(votes.sum, options, n));
-    for (std::size_t i = from; i < to; ++i) {
-      if (votes.count[i - from] != 0) {
-        filtered[i] = lane(result, i - from);
-      } else {
-        filtered[i] = voteless == Voteless::Keep ? Vec3(normals[i]) : Vec3{};
-      }
+void turn_by_votes(const Votes& votes, std::span<const std::uint32_t> points, const Row* normals,
+                   const NormalFilterOptions& options, Voteless voteless, Vec3* filtered) {
+  LanesSym3 tensor = votes.sum;
+  tensor.scale(1 / votes.count);
+  Lanes3 n;
+  for (std::size_t l = 0; l < points.size(); ++l) set_lane(n, l, Vec3(normals[points[l]]));
+  const Lanes3 result =
+      unit(all_lanes(options.damping) * n + project_on_dominant(tensor, options, n));
+  for (std::size_t l = 0; l < points.size(); ++l) {
+    const std::uint32_t i = points[l];
+    if (votes.count[l] != 0) {
+      filtered[i] = lane(result, l);
+    } else {
+      filtered[i] = voteless == Voteless::Keep ? Vec3(normals[i]) : Vec3{};
     }
   }
 }
-
-}  // namespace
 
 std::vector<Vec3> filter_normals(Normals normals, const Neighborhoods& neighborhoods,
                                  const NormalFilterOptions& options, Voteless voteless,
@@ -91,7 +82,15 @@ std::vector<Vec3> filter_normals(Normals normals, const Neighborhoods& neighborh
   const std::vector<Row> rows = make_rows(normals, execution);
   std::vector<Vec3> filtered(normals.size());
   parallel_blocks(normals.size(), execution, [&](std::size_t begin, std::size_t end) {
-    filter_block(begin, end, rows.data(), neighborhoods, options, voteless, filtered.data());
+    std::array<std::uint32_t, lane_count> batch{};
+    for (std::size_t from = begin; from < end; from += lane_count) {
+      const std::size_t to = std::min(end, from + lane_count);
+      for (std::size_t i = from; i < to; ++i) batch[i - from] = static_cast<std::uint32_t>(i);
+      Votes votes;
+      count_votes(from, to, rows.data(), neighborhoods, options.rho, votes);
+      turn_by_votes(votes, {batch.data(), to - from}, rows.data(), options, voteless,
+                    filtered.data());
+    }
   });
   return filtered;
 }

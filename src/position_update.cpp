@@ -47,6 +47,7 @@ struct Sweep {
   const Neighborhoods& neighborhoods;
   const FeatureOptions& features;
   const PositionUpdateOptions& options;
+  NextNormals* next_normals;
 
   /// Classifies up to eight points and tells where each of them goes. None sees the others move.
   /// @param next  the batch after this one, whose neighbourhoods are fetched in the meantime
@@ -55,10 +56,20 @@ struct Sweep {
             FeatureField& field, const Move& to) const {
     Moments moments;
     SurfaceSums sums;
+    Votes votes;
     PointClasses classes;
     for (std::size_t l = 0; l < batch.size(); ++l) {
+      const std::uint32_t i = batch[l];
       if (l < next.size()) prefetch(neighborhoods[next[l]]);
-      add_both(batch[l], cloud, neighborhoods[batch[l]], features.rho, options, l, moments, sums);
+      if (next_normals != nullptr) {
+        add_all(i, cloud, neighborhoods[i], features.rho, options, l, moments, sums, votes);
+      } else {
+        add_both(i, cloud, neighborhoods[i], features.rho, options, l, moments, sums);
+      }
+    }
+    if (next_normals != nullptr) {
+      turn_by_votes(votes, batch, cloud.normals, next_normals->filter, Voteless::Keep,
+                    next_normals->normals.data());
     }
     classify_points(moments, features, classes);
     std::array<Vec3, lane_count> moved;
@@ -102,12 +113,23 @@ FeatureField sweep_at_once(Points original, std::vector<Vec3>& points, Normals n
                            const Neighborhoods& neighborhoods,
                            const FeatureOptions& feature_options,
                            const PositionUpdateOptions& options, const Execution& execution) {
+  return sweep_together(original, points, normals, neighborhoods, feature_options, options, nullptr,
+                        execution);
+}
+
+FeatureField sweep_together(Points original, std::vector<Vec3>& points, Normals normals,
+                            const Neighborhoods& neighborhoods,
+                            const FeatureOptions& feature_options,
+                            const PositionUpdateOptions& options, NextNormals* next,
+                            const Execution& execution) {
   validate(original, points, normals, neighborhoods, options);
   validate(feature_options);
   const std::vector<Row> point_rows = make_rows(points, execution);
   const std::vector<Row> normal_rows = make_rows(normals, execution);
-  const Sweep sweep{
-      original, {point_rows.data(), normal_rows.data()}, neighborhoods, feature_options, options};
+  if (next != nullptr) next->normals.resize(points.size());
+  const Sweep sweep{original,      {point_rows.data(), normal_rows.data()},
+                    neighborhoods, feature_options,
+                    options,       next};
   FeatureField field{std::vector<Feature>(points.size()), std::vector<Vec3>(points.size())};
   parallel_blocks(points.size(), execution, [&](std::size_t begin, std::size_t end) {
     std::array<std::uint32_t, lane_count> batch{};
@@ -129,13 +151,16 @@ FeatureField sweep_batches(std::size_t count, const Batch& batch, Points origina
                            std::vector<Vec3>& points, Normals normals,
                            const Neighborhoods& neighborhoods,
                            const FeatureOptions& feature_options,
-                           const PositionUpdateOptions& options, const Execution& execution) {
+                           const PositionUpdateOptions& options, NextNormals* next,
+                           const Execution& execution) {
   validate(original, points, normals, neighborhoods, options);
   validate(feature_options);
   std::vector<Row> point_rows = make_rows(points, execution);
   const std::vector<Row> normal_rows = make_rows(normals, execution);
-  const Sweep sweep{
-      original, {point_rows.data(), normal_rows.data()}, neighborhoods, feature_options, options};
+  if (next != nullptr) next->normals.resize(points.size());
+  const Sweep sweep{original,      {point_rows.data(), normal_rows.data()},
+                    neighborhoods, feature_options,
+                    options,       next};
   FeatureField field{std::vector<Feature>(points.size(), Feature::Isolated),
                      std::vector<Vec3>(points.size())};
   constexpr std::size_t stretch = block_size / lane_count;
@@ -175,19 +200,20 @@ FeatureField sweep_in_place(Points original, std::vector<Vec3>& points, Normals 
   }
   return sweep_batches(
       order.size(), [&](std::size_t at) { return order.subspan(at, 1); }, original, points, normals,
-      neighborhoods, feature_options, options, execution);
+      neighborhoods, feature_options, options, nullptr, execution);
 }
 
 FeatureField sweep_along(const SweepPlan& plan, Points original, std::vector<Vec3>& points,
                          Normals normals, const Neighborhoods& neighborhoods,
                          const FeatureOptions& feature_options,
-                         const PositionUpdateOptions& options, const Execution& execution) {
+                         const PositionUpdateOptions& options, NextNormals* next,
+                         const Execution& execution) {
   const auto batch = [&](std::size_t k) {
     const std::uint32_t begin = k > 0 ? plan.ends[k - 1] : 0;
     return std::span(plan.order).subspan(begin, plan.ends[k] - begin);
   };
   return sweep_batches(plan.ends.size(), batch, original, points, normals, neighborhoods,
-                       feature_options, options, execution);
+                       feature_options, options, next, execution);
 }
 
 }  // namespace deburr

@@ -47,6 +47,8 @@ void run_published(const Neighborhoods& nearest, const Schedule& schedule, const
   });
   Neighborhoods neighborhoods;
   SweepPlan plan;
+  // The filter of a round looks at the neighbours as the movement of the round before does.
+  const bool fused = !schedule.rebuild && schedule.normal_filter.rho == schedule.features.rho;
   for (int round = 0; round < schedule.rounds; ++round) {
     const Execution part =
         sub_execution(execution, "rounds", prepared + (1 - prepared) * round / schedule.rounds,
@@ -59,19 +61,25 @@ void run_published(const Neighborhoods& nearest, const Schedule& schedule, const
       // Within a radius neighbours are mutual.
       if (schedule.in_place) plan = plan_sweep(neighborhoods, set.sweep);
     }
-    state.normals = clock.time("normal filter", [&] {
-      return filter_normals(state.normals, neighborhoods, schedule.normal_filter,
-                            round == 0 ? schedule.voteless_at_first : Voteless::Keep, quiet);
-    });
+    if (round == 0 || !fused) {
+      state.normals = clock.time("normal filter", [&] {
+        return filter_normals(state.normals, neighborhoods, schedule.normal_filter,
+                              round == 0 ? schedule.voteless_at_first : Voteless::Keep, quiet);
+      });
+    }
+    const bool last = round + 1 == schedule.rounds;
+    NextNormals next{.filter = schedule.normal_filter, .normals = {}};
+    NextNormals* const wanted = fused && !last ? &next : nullptr;
     std::vector<Vec3> moved = state.points;
     state.labels = clock.time("features and positions", [&] {
       FeatureField field = schedule.in_place
                                ? sweep_along(plan, set.points, moved, state.normals, neighborhoods,
-                                             schedule.features, schedule.update, part)
-                               : sweep_at_once(set.points, moved, state.normals, neighborhoods,
-                                               schedule.features, schedule.update, part);
+                                             schedule.features, schedule.update, wanted, part)
+                               : sweep_together(set.points, moved, state.normals, neighborhoods,
+                                                schedule.features, schedule.update, wanted, part);
       return std::move(field.label);
     });
+    if (wanted != nullptr) state.normals = std::move(next.normals);
     report.rounds.push_back(measure(state.points, moved, set));
     state.points = std::move(moved);
   }

@@ -86,12 +86,43 @@ TEST(SweepAlong, HasTheBitsOfTheSweepInPlace) {
     const FeatureField slow =
         sweep_in_place(original, expected, normals, near, features, options, order);
     const FeatureField field = sweep_along(plan_sweep(near, order), original, points, normals, near,
-                                           features, options, {});
+                                           features, options, nullptr, {});
     EXPECT_EQ(points, expected);
     EXPECT_EQ(field.label, slow.label);
     EXPECT_EQ(field.direction, slow.direction);
     EXPECT_NE(points, original);
   }
+}
+
+// Once for each way to sweep.
+TEST(NextNormals, HaveTheBitsOfTheFilter) {
+  const auto original = random_points(1501, 9);
+  auto normals = tilted(std::vector<Vec3>(1501, Vec3{0, 0, 1}), 0.5, 10);
+  normals[3] = {};
+  const Neighborhoods near = find_neighbors(original, {.radius = 0.1});
+  const FeatureOptions features{.rho = 0.8};
+  const PositionUpdateOptions options{.position_scale = 0.1, .max_move = 0.1};
+  NextNormals at_once{.filter = {.rho = 0.8, .tau = 0.2}, .normals = {}};
+  NextNormals in_place = at_once;
+  const std::vector<Vec3> expected = filter_normals(normals, near, at_once.filter);
+  EXPECT_NE(expected, normals);
+
+  std::vector<Vec3> points = original;
+  const FeatureField field =
+      sweep_together(original, points, normals, near, features, options, &at_once, {.threads = 2});
+  EXPECT_EQ(at_once.normals, expected);
+  std::vector<Vec3> without = original;
+  EXPECT_EQ(sweep_at_once(original, without, normals, near, features, options).label, field.label);
+  EXPECT_EQ(points, without);
+
+  points = original;
+  without = original;
+  const std::vector<std::uint32_t> order = random_permutation(1501, 11);
+  sweep_along(plan_sweep(near, order), original, points, normals, near, features, options,
+              &in_place, {});
+  EXPECT_EQ(in_place.normals, expected);
+  sweep_in_place(original, without, normals, near, features, options, order);
+  EXPECT_EQ(points, without);
 }
 
 }  // namespace
