@@ -30,41 +30,29 @@ void validate(Points original, Points points, Normals normals, const Neighborhoo
   require(options.max_move >= 0, "position_update.max_move", ">= 0", options.max_move);
 }
 
-/// Starts to bring a list from memory.
-void prefetch(std::span<const std::uint32_t> list) {
-  constexpr std::size_t per_line = 64 / sizeof(std::uint32_t);
-  constexpr int for_reading = 0;
-  constexpr int to_second_level = 2;
-  for (std::size_t k = 0; k < list.size(); k += per_line) {
-    __builtin_prefetch(&list[k], for_reading, to_second_level);
-  }
-}
-
 /// One round of classifying and moving.
 struct Sweep {
   Points original;
   Oriented cloud;
-  const Neighborhoods& neighborhoods;
   const FeatureOptions& features;
   const PositionUpdateOptions& options;
   NextNormals* next_normals;
 
   /// Classifies up to eight points and tells where each of them goes. None sees the others move.
-  /// @param next  the batch after this one, whose neighbourhoods are fetched in the meantime
-  template <typename Move>
-  void move(std::span<const std::uint32_t> batch, std::span<const std::uint32_t> next,
-            FeatureField& field, const Move& to) const {
+  /// @param near  near(l) are the neighbours of batch[l]
+  template <typename Near, typename Move>
+  void move(std::span<const std::uint32_t> batch, const Near& near, FeatureField& field,
+            const Move& to) const {
     Moments moments;
     SurfaceSums sums;
     Votes votes;
     PointClasses classes;
     for (std::size_t l = 0; l < batch.size(); ++l) {
       const std::uint32_t i = batch[l];
-      if (l < next.size()) prefetch(neighborhoods[next[l]]);
       if (next_normals != nullptr) {
-        add_all(i, cloud, neighborhoods[i], features.rho, options, l, moments, sums, votes);
+        add_all(i, cloud, near(l), features.rho, options, l, moments, sums, votes);
       } else {
-        add_both(i, cloud, neighborhoods[i], features.rho, options, l, moments, sums);
+        add_both(i, cloud, near(l), features.rho, options, l, moments, sums);
       }
     }
     if (next_normals != nullptr) {
@@ -75,7 +63,7 @@ struct Sweep {
     std::array<Vec3, lane_count> moved;
     for (std::size_t l = 0; l < batch.size(); ++l) {
       const std::uint32_t i = batch[l];
-      moved[l] = move_point(i, original[i], cloud, classes[l], neighborhoods[i], sums, l, options);
+      moved[l] = move_point(i, original[i], cloud, classes[l], near(l), sums, l, options);
     }
     for (std::size_t l = 0; l < batch.size(); ++l) {
       to(batch[l], moved[l]);
@@ -127,16 +115,16 @@ FeatureField sweep_together(Points original, std::vector<Vec3>& points, Normals 
   const std::vector<Row> point_rows = make_rows(points, execution);
   const std::vector<Row> normal_rows = make_rows(normals, execution);
   if (next != nullptr) next->normals.resize(points.size());
-  const Sweep sweep{original,      {point_rows.data(), normal_rows.data()},
-                    neighborhoods, feature_options,
-                    options,       next};
+  const Sweep sweep{
+      original, {point_rows.data(), normal_rows.data()}, feature_options, options, next};
   FeatureField field{std::vector<Feature>(points.size()), std::vector<Vec3>(points.size())};
   parallel_blocks(points.size(), execution, [&](std::size_t begin, std::size_t end) {
     std::array<std::uint32_t, lane_count> batch{};
     for (std::size_t from = begin; from < end; from += lane_count) {
       const std::size_t count = std::min(lane_count, end - from);
       for (std::size_t l = 0; l < count; ++l) batch[l] = static_cast<std::uint32_t>(from + l);
-      sweep.move({batch.data(), count}, {}, field,
+      const auto near = [&](std::size_t l) { return neighborhoods[from + l]; };
+      sweep.move({batch.data(), count}, near, field,
                  [&](std::size_t i, const Vec3& moved) { points[i] = moved; });
     }
   });
@@ -145,9 +133,10 @@ FeatureField sweep_together(Points original, std::vector<Vec3>& points, Normals 
 
 namespace {
 
-/// Moves batches of points in place: batch(k) gives the k-th of them.
-template <typename Batch>
-FeatureField sweep_batches(std::size_t count, const Batch& batch, Points original,
+/// Moves batches of points in place: batch(k) gives the k-th of them, and near(k, l) the neighbours
+/// of its l-th point.
+template <typename Batch, typename Near>
+FeatureField sweep_batches(std::size_t count, const Batch& batch, const Near& near, Points original,
                            std::vector<Vec3>& points, Normals normals,
                            const Neighborhoods& neighborhoods,
                            const FeatureOptions& feature_options,
@@ -158,9 +147,8 @@ FeatureField sweep_batches(std::size_t count, const Batch& batch, Points origina
   std::vector<Row> point_rows = make_rows(points, execution);
   const std::vector<Row> normal_rows = make_rows(normals, execution);
   if (next != nullptr) next->normals.resize(points.size());
-  const Sweep sweep{original,      {point_rows.data(), normal_rows.data()},
-                    neighborhoods, feature_options,
-                    options,       next};
+  const Sweep sweep{
+      original, {point_rows.data(), normal_rows.data()}, feature_options, options, next};
   FeatureField field{std::vector<Feature>(points.size(), Feature::Isolated),
                      std::vector<Vec3>(points.size())};
   constexpr std::size_t stretch = block_size / lane_count;
@@ -171,11 +159,12 @@ FeatureField sweep_batches(std::size_t count, const Batch& batch, Points origina
         execution.progress({"", static_cast<double>(k) / static_cast<double>(count)});
       }
     }
-    sweep.move(batch(k), k + 1 < count ? batch(k + 1) : std::span<const std::uint32_t>(), field,
-               [&](std::size_t i, const Vec3& moved) {
-                 points[i] = moved;
-                 point_rows[i] = Row(moved);
-               });
+    sweep.move(
+        batch(k), [&](std::size_t l) { return near(k, l); }, field,
+        [&](std::size_t i, const Vec3& moved) {
+          points[i] = moved;
+          point_rows[i] = Row(moved);
+        });
   }
   return field;
 }
@@ -199,21 +188,23 @@ FeatureField sweep_in_place(Points original, std::vector<Vec3>& points, Normals 
     require(i < points.size(), "order", "made of indices of points", i);
   }
   return sweep_batches(
-      order.size(), [&](std::size_t at) { return order.subspan(at, 1); }, original, points, normals,
-      neighborhoods, feature_options, options, nullptr, execution);
+      order.size(), [&](std::size_t at) { return order.subspan(at, 1); },
+      [&](std::size_t at, std::size_t) { return neighborhoods[order[at]]; }, original, points,
+      normals, neighborhoods, feature_options, options, nullptr, execution);
 }
 
 FeatureField sweep_along(const SweepPlan& plan, Points original, std::vector<Vec3>& points,
-                         Normals normals, const Neighborhoods& neighborhoods,
-                         const FeatureOptions& feature_options,
+                         Normals normals, const FeatureOptions& feature_options,
                          const PositionUpdateOptions& options, NextNormals* next,
                          const Execution& execution) {
-  const auto batch = [&](std::size_t k) {
-    const std::uint32_t begin = k > 0 ? plan.ends[k - 1] : 0;
-    return std::span(plan.order).subspan(begin, plan.ends[k] - begin);
-  };
-  return sweep_batches(plan.ends.size(), batch, original, points, normals, neighborhoods,
-                       feature_options, options, next, execution);
+  const auto begin = [&](std::size_t k) { return k > 0 ? plan.ends[k - 1] : 0; };
+  return sweep_batches(
+      plan.ends.size(),
+      [&](std::size_t k) {
+        return std::span(plan.order).subspan(begin(k), plan.ends[k] - begin(k));
+      },
+      [&](std::size_t k, std::size_t l) { return plan.neighborhoods[begin(k) + l]; }, original,
+      points, normals, plan.neighborhoods, feature_options, options, next, execution);
 }
 
 }  // namespace deburr

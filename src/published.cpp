@@ -47,8 +47,8 @@ void run_published(const Neighborhoods& nearest, const Schedule& schedule, const
   });
   Neighborhoods neighborhoods;
   SweepPlan plan;
-  // The filter of a round looks at the neighbours as the movement of the round before does.
-  const bool fused = !schedule.rebuild && schedule.normal_filter.rho == schedule.features.rho;
+  // The filter of a round compares the neighbours as the movement of the round before does.
+  const bool fused = !schedule.rebuild;
   for (int round = 0; round < schedule.rounds; ++round) {
     const Execution part =
         sub_execution(execution, "rounds", prepared + (1 - prepared) * round / schedule.rounds,
@@ -58,8 +58,6 @@ void run_published(const Neighborhoods& nearest, const Schedule& schedule, const
       neighborhoods = clock.time("neighbourhoods", [&] {
         return find_neighbors(state.points, schedule.neighbors, quiet);
       });
-      // Within a radius neighbours are mutual.
-      if (schedule.in_place) plan = plan_sweep(neighborhoods, set.sweep);
     }
     if (round == 0 || !fused) {
       state.normals = clock.time("normal filter", [&] {
@@ -67,13 +65,18 @@ void run_published(const Neighborhoods& nearest, const Schedule& schedule, const
                               round == 0 ? schedule.voteless_at_first : Voteless::Keep, quiet);
       });
     }
+    // Within a radius neighbours are mutual.
+    if (schedule.in_place && (round == 0 || schedule.rebuild)) {
+      plan = clock.time("neighbourhoods",
+                        [&] { return plan_sweep(std::move(neighborhoods), set.sweep); });
+    }
     const bool last = round + 1 == schedule.rounds;
     NextNormals next{.filter = schedule.normal_filter, .normals = {}};
     NextNormals* const wanted = fused && !last ? &next : nullptr;
     std::vector<Vec3> moved = state.points;
     state.labels = clock.time("features and positions", [&] {
       FeatureField field = schedule.in_place
-                               ? sweep_along(plan, set.points, moved, state.normals, neighborhoods,
+                               ? sweep_along(plan, set.points, moved, state.normals,
                                              schedule.features, schedule.update, wanted, part)
                                : sweep_together(set.points, moved, state.normals, neighborhoods,
                                                 schedule.features, schedule.update, wanted, part);

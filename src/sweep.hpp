@@ -29,8 +29,7 @@ FeatureField sweep_together(Points original, std::vector<Vec3>& points, Normals 
 /// sweep_in_place over all points, along a plan that was made for its order.
 /// @param[out] next  null if it is not wanted
 FeatureField sweep_along(const SweepPlan& plan, Points original, std::vector<Vec3>& points,
-                         Normals normals, const Neighborhoods& neighborhoods,
-                         const FeatureOptions& feature_options,
+                         Normals normals, const FeatureOptions& feature_options,
                          const PositionUpdateOptions& options, NextNormals* next,
                          const Execution& execution);
 

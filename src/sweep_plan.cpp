@@ -76,10 +76,25 @@ class Planner {
   SweepPlan plan_;
 };
 
+/// The neighbourhoods of points in another order.
+Neighborhoods reorder(const Neighborhoods& neighborhoods, std::span<const std::uint32_t> order) {
+  std::vector<std::size_t> offsets{0};
+  offsets.reserve(order.size() + 1);
+  std::vector<std::uint32_t> indices;
+  indices.reserve(neighborhoods.pair_count());
+  for (const std::uint32_t i : order) {
+    indices.insert(indices.end(), neighborhoods[i].begin(), neighborhoods[i].end());
+    offsets.push_back(indices.size());
+  }
+  return {std::move(offsets), std::move(indices)};
+}
+
 }  // namespace
 
-SweepPlan plan_sweep(const Neighborhoods& neighborhoods, std::span<const std::uint32_t> order) {
-  return Planner(neighborhoods, order).run();
+SweepPlan plan_sweep(Neighborhoods neighborhoods, std::span<const std::uint32_t> order) {
+  SweepPlan plan = Planner(neighborhoods, order).run();
+  plan.neighborhoods = reorder(neighborhoods, plan.order);
+  return plan;
 }
 
 }  // namespace deburr

@@ -17,11 +17,12 @@ namespace deburr {
 struct SweepPlan {
   std::vector<std::uint32_t> order;  ///< the points, batch after batch
   std::vector<std::uint32_t> ends;   ///< where in `order` each batch ends
+  Neighborhoods neighborhoods;       ///< in this order, to be read from begin to end
 };
 
 /// Plans a sweep over all points.
 /// @param neighborhoods  mutual: if i is a neighbour of j, then j is one of i
 /// @param order  a permutation of the points
-SweepPlan plan_sweep(const Neighborhoods& neighborhoods, std::span<const std::uint32_t> order);
+SweepPlan plan_sweep(Neighborhoods neighborhoods, std::span<const std::uint32_t> order);
 
 }  // namespace deburr

@@ -35,6 +35,10 @@ void expect_valid(const SweepPlan& plan, const Neighborhoods& near,
     for (; begin < plan.ends[k]; ++begin) batch_of[plan.order[begin]] = k;
   }
   ASSERT_EQ(begin, order.size());
+  ASSERT_EQ(plan.neighborhoods.size(), order.size());
+  for (std::size_t at = 0; at < order.size(); ++at) {
+    ASSERT_TRUE(std::ranges::equal(plan.neighborhoods[at], near[plan.order[at]]));
+  }
   for (std::size_t i = 0; i < order.size(); ++i) {
     for (const std::uint32_t j : near[i]) {
       ASSERT_EQ(batch_of[i] < batch_of[j], rank[i] < rank[j]);
@@ -85,7 +89,7 @@ TEST(SweepAlong, HasTheBitsOfTheSweepInPlace) {
     std::vector<Vec3> points = original;
     const FeatureField slow =
         sweep_in_place(original, expected, normals, near, features, options, order);
-    const FeatureField field = sweep_along(plan_sweep(near, order), original, points, normals, near,
+    const FeatureField field = sweep_along(plan_sweep(near, order), original, points, normals,
                                            features, options, nullptr, {});
     EXPECT_EQ(points, expected);
     EXPECT_EQ(field.label, slow.label);
@@ -118,8 +122,7 @@ TEST(NextNormals, HaveTheBitsOfTheFilter) {
   points = original;
   without = original;
   const std::vector<std::uint32_t> order = random_permutation(1501, 11);
-  sweep_along(plan_sweep(near, order), original, points, normals, near, features, options,
-              &in_place, {});
+  sweep_along(plan_sweep(near, order), original, points, normals, features, options, &in_place, {});
   EXPECT_EQ(in_place.normals, expected);
   sweep_in_place(original, without, normals, near, features, options, order);
   EXPECT_EQ(points, without);
