@@ -136,7 +136,8 @@ Neighborhoods find_neighbors(Points points, const NeighborOptions& options,
   }
 
   if (options.radius > 0) {
-    if (const auto grid = CellGrid::make(points, options.radius, options.max_count, execution)) {
+    const Execution quiet{.threads = execution.threads, .cancelled = execution.cancelled};
+    if (const auto grid = CellGrid::make(points, options.radius, options.max_count, quiet)) {
       return search_grid(*grid, options, execution);
     }
   }
