@@ -91,7 +91,7 @@ Neighborhoods reorder(const Neighborhoods& neighborhoods, std::span<const std::u
 
 }  // namespace
 
-SweepPlan plan_sweep(Neighborhoods neighborhoods, std::span<const std::uint32_t> order) {
+SweepPlan plan_sweep(const Neighborhoods& neighborhoods, std::span<const std::uint32_t> order) {
   SweepPlan plan = Planner(neighborhoods, order).run();
   plan.neighborhoods = reorder(neighborhoods, plan.order);
   return plan;

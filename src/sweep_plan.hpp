@@ -23,6 +23,6 @@ struct SweepPlan {
 /// Plans a sweep over all points.
 /// @param neighborhoods  mutual: if i is a neighbour of j, then j is one of i
 /// @param order  a permutation of the points
-SweepPlan plan_sweep(Neighborhoods neighborhoods, std::span<const std::uint32_t> order);
+SweepPlan plan_sweep(const Neighborhoods& neighborhoods, std::span<const std::uint32_t> order);
 
 }  // namespace deburr
