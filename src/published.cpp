@@ -67,7 +67,8 @@ void run_published(const Neighborhoods& nearest, const Schedule& schedule, const
     }
     // Within a radius neighbours are mutual.
     if (schedule.in_place && (round == 0 || schedule.rebuild)) {
-      plan = clock.time("neighbourhoods", [&] { return plan_sweep(neighborhoods, set.sweep); });
+      plan =
+          clock.time("neighbourhoods", [&] { return plan_sweep(neighborhoods, set.sweep, quiet); });
       neighborhoods = {};  // the plan has them
     }
     const bool last = round + 1 == schedule.rounds;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "lanes.hpp"
+#include "parallel.hpp"
 
 namespace deburr {
 namespace {
@@ -15,13 +16,16 @@ constexpr std::uint32_t tile_size = 4096;
 
 class Planner {
  public:
-  Planner(const Neighborhoods& neighborhoods, std::span<const std::uint32_t> order)
+  Planner(const Neighborhoods& neighborhoods, std::span<const std::uint32_t> order,
+          const Execution& execution)
       : neighborhoods_(neighborhoods),
+        execution_(execution),
         rank_(order.size()),
         waits_for_(order.size()),
         ready_(order.size() / tile_size + 1) {
     for (std::uint32_t at = 0; at < order.size(); ++at) rank_[order[at]] = at;
     for (std::uint32_t i = 0; i < order.size(); ++i) {
+      if (i % block_size == 0) check_cancelled(execution_);
       for (const std::uint32_t j : neighborhoods_[i]) waits_for_[i] += rank_[j] < rank_[i] ? 1 : 0;
     }
     // In the given order, so that the first ones go first.
@@ -35,6 +39,7 @@ class Planner {
     while (plan_.order.size() < rank_.size()) {
       const std::size_t before = plan_.order.size();
       for (Ready& ready : ready_) {
+        check_cancelled(execution_);
         while (ready.points.size() - ready.gone >= lane_count) go(ready);
       }
       // Where no tile has a full batch, smaller ones must do.
@@ -70,6 +75,7 @@ class Planner {
   }
 
   const Neighborhoods& neighborhoods_;
+  const Execution& execution_;
   std::vector<std::uint32_t> rank_;       ///< of each point in the given order
   std::vector<std::uint32_t> waits_for_;  ///< number of neighbours of lower rank that have to go
   std::vector<Ready> ready_;              ///< by tile
@@ -91,8 +97,9 @@ Neighborhoods reorder(const Neighborhoods& neighborhoods, std::span<const std::u
 
 }  // namespace
 
-SweepPlan plan_sweep(const Neighborhoods& neighborhoods, std::span<const std::uint32_t> order) {
-  SweepPlan plan = Planner(neighborhoods, order).run();
+SweepPlan plan_sweep(const Neighborhoods& neighborhoods, std::span<const std::uint32_t> order,
+                     const Execution& execution) {
+  SweepPlan plan = Planner(neighborhoods, order, execution).run();
   plan.neighborhoods = reorder(neighborhoods, plan.order);
   return plan;
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "deburr/execution.hpp"
 #include "deburr/neighborhoods.hpp"
 
 namespace deburr {
@@ -23,6 +24,8 @@ struct SweepPlan {
 /// Plans a sweep over all points.
 /// @param neighborhoods  mutual: if i is a neighbour of j, then j is one of i
 /// @param order  a permutation of the points
-SweepPlan plan_sweep(const Neighborhoods& neighborhoods, std::span<const std::uint32_t> order);
+/// @throws Cancelled  when execution.cancelled says so
+SweepPlan plan_sweep(const Neighborhoods& neighborhoods, std::span<const std::uint32_t> order,
+                     const Execution& execution = {});
 
 }  // namespace deburr

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "deburr/error.hpp"
 #include "lanes.hpp"
 #include "support/compare.hpp"
 #include "support/shapes.hpp"
@@ -71,6 +72,12 @@ TEST(PlanSweep, EndsOnDuplicatesAndOnNothing) {
   const SweepPlan plan = plan_sweep(near, order);
   EXPECT_EQ(plan.order, order);  // all are neighbours: one after the other
   EXPECT_TRUE(plan_sweep(Neighborhoods(), {}).order.empty());
+}
+
+TEST(PlanSweep, StopsWhenCancelled) {
+  const Neighborhoods near = find_neighbors(random_points(100, 12), {.radius = 0.2});
+  const Execution execution{.cancelled = [] { return true; }};
+  EXPECT_THROW((void)plan_sweep(near, by_index(100), execution), Cancelled);
 }
 
 TEST(SweepAlong, HasTheBitsOfTheSweepInPlace) {
