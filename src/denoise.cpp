@@ -49,10 +49,10 @@ struct Caution {
   }
 };
 
-/// What is common to both methods: finds spacing and noise.
-void measure_spacing(Points points, std::size_t k, const WorkingSet& set, Report& report,
-                     const Execution& execution) {
-  const Neighborhoods nearest =
+/// What is common to both methods: finds the spacing. Returns the `k` nearest of each point.
+Neighborhoods measure_spacing(Points points, std::size_t k, const WorkingSet& set, Report& report,
+                              const Execution& execution) {
+  Neighborhoods nearest =
       find_neighbors(points, {.max_count = k}, sub_execution(execution, "spacing", 0, 0.8));
   const double spacing =
       mean_neighbor_distance(points, nearest, sub_execution(execution, "spacing", 0.8, 1));
@@ -60,23 +60,26 @@ void measure_spacing(Points points, std::size_t k, const WorkingSet& set, Report
     throw DataError("the distances between the points are larger than a double can hold");
   }
   report.spacing = set.length(spacing);
+  return nearest;
 }
 
 void run_yadav2018(const Yadav2018Options& options, const WorkingSet& set, bool keep_normals,
                    State& state, Report& report, StageClock& clock, const Execution& execution) {
-  const double spacing = clock.time("spacing and noise", [&] {
-    measure_spacing(set.points, options.k, set, report,
-                    sub_execution(execution, "spacing and noise", 0.02, 0.06));
+  const Neighborhoods nearest = clock.time("spacing and noise", [&] {
+    Neighborhoods found =
+        measure_spacing(set.points, options.k, set, report,
+                        sub_execution(execution, "spacing and noise", 0.02, 0.06));
     report.noise =
         set.length(estimate_noise(set.points, sub_execution(execution, "noise", 0.06, 0.1)));
-    return std::scalbn(report.spacing, -set.exponent);
+    return found;
   });
+  const double spacing = std::scalbn(report.spacing, -set.exponent);
   constexpr std::size_t fewest_points = 4;
   if (set.points.size() - set.duplicates < fewest_points || !(spacing > 0)) return;
   report.kept_normals = keep_normals;
   const Schedule schedule = make_schedule(options, spacing);
   report.max_move = set.length(schedule.update.max_move);
-  run_published(options, schedule, set, keep_normals, state, report, clock,
+  run_published(nearest, schedule, set, keep_normals, state, report, clock,
                 sub_execution(execution, "rounds", 0.1, 1));
 }
 
@@ -99,8 +102,8 @@ void run_automatic(const AutoOptions& options, const WorkingSet& set, bool keep_
     if (keep_normals) normals.push_back(set.normals[i]);
   }
   LocalNoise local_noise = clock.time("spacing and noise", [&] {
-    measure_spacing(points, spacing_neighbors, set, report,
-                    sub_execution(execution, "spacing and noise", 0.15, 0.2));
+    (void)measure_spacing(points, spacing_neighbors, set, report,
+                          sub_execution(execution, "spacing and noise", 0.15, 0.2));
     const Execution part = sub_execution(execution, "noise", 0.2, 0.25);
     return options.noise > 0 ? LocalNoise{measure_noise(points, part), {}, {}}
                              : estimate_local_noise(points, part);
