@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The deburr authors
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
+#include <utility>
 
 #include "args.hpp"
 #include "commands.hpp"
@@ -12,19 +13,22 @@
 #include "deburr/version.hpp"
 #include "interrupt.hpp"
 #include "json_line.hpp"
+#include "output_file.hpp"
 
 namespace deburr::cli {
 namespace {
 
 constexpr const char* examples =
     "  deburr compare part.ply --truth part_truth.ply\n"
-    "  deburr compare part.ply --truth part_truth.ply --json";
+    "  deburr compare part.ply --truth part_truth.ply --json\n"
+    "  deburr compare part.ply --truth part_truth.ply --distances part_error.ply";
 
 struct CompareArgs {
   CommonArgs common;
   std::string cloud;
   std::string truth;
   std::string clean;
+  std::string distances;
   CompareOptions options;
 };
 
@@ -33,7 +37,30 @@ bool has_finite_point(const Truth& truth) {
   return cloud == nullptr || std::ranges::any_of(cloud->points, is_finite);
 }
 
+/// Writes the cloud with the distance of each of its points from the truth.
+std::vector<std::string> write_distances(const std::string& path, PointCloud cloud,
+                                         const Truth& truth, int threads) {
+  const Execution execution{.threads = threads, .cancelled = interrupted};
+  const auto* const surface = std::get_if<TriangleMesh>(&truth);
+  std::vector<double> distances =
+      surface != nullptr
+          ? distance_to_surface(cloud.points, *surface, execution)
+          : distance_to_cloud(cloud.points, std::get<PointCloud>(truth).points, execution);
+  // Only a header can tell what a new column of a text file is.
+  TextHeader& header = cloud.layout.text.header;
+  if (header == TextHeader::None) header = TextHeader::Plain;
+  std::erase_if(cloud.attributes,
+                [](const Attribute& attribute) { return attribute.name == "deburr_distance"; });
+  cloud.attributes.push_back({"deburr_distance", std::move(distances), {}});
+  return write_cloud(path, cloud, interrupted);
+}
+
 void run(CompareArgs& args) {
+  if (!args.distances.empty()) {
+    check_cloud_output(args.distances);
+    check_different("--distances", args.distances, args.truth);
+    check_different("--distances", args.distances, args.clean);
+  }
   args.options.threads = args.common.threads;
   const PointCloud cloud = read_cloud(args.cloud, interrupted);
   const Truth truth = read_mesh_or_cloud(args.truth, interrupted);
@@ -42,10 +69,16 @@ void run(CompareArgs& args) {
   if (!has_finite_point(truth)) throw DataError(args.truth + ": no finite point to compare with");
 
   ProgressBar bar(args.common.quiet);
-  const Comparison comparison = compare(cloud, truth, clean, args.options, bar);
+  Comparison comparison = compare(cloud, truth, clean, args.options, bar);
   bar.clear();
   if (comparison.error.count == 0) throw DataError(args.cloud + ": no finite point to compare");
 
+  if (!args.distances.empty()) {
+    for (std::string& warning :
+         write_distances(args.distances, cloud, truth, args.common.threads)) {
+      comparison.warnings.push_back(std::move(warning));
+    }
+  }
   if (args.common.json) {
     nlohmann::ordered_json json{{"deburr_version", version},
                                 {"command", "compare"},
@@ -80,6 +113,11 @@ void add_compare_command(CLI::App& program) {
           "The points of CLOUD in the same order without noise, with true normals; a field "
           "outlier marks those that are none of the surface")
       ->option_text("CLOUD");
+  command
+      ->add_option("--distances", args->distances,
+                   "Write CLOUD to this file, with the distance of each point from the truth as "
+                   "field deburr_distance")
+      ->option_text("FILE");
   command->add_flag("--skip-outliers", args->options.skip_outliers,
                     "Leave out points whose field deburr_outlier is not 0");
   add_value(*command, "--samples", args->options.coverage.samples,

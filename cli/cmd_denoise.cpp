@@ -173,6 +173,7 @@ void run(const DenoiseArgs& args) {
     summary.added = add_fields(result, add, had_normals);
   } else {
     summary.report.points = points;
+    summary.report.kept = points;
     summary.report.non_finite = points;
     summary.report.labels[static_cast<std::size_t>(Feature::Isolated)] = points;
     summary.warnings.emplace_back(args.input + ": no point is finite, written unchanged");

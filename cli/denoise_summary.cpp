@@ -34,6 +34,7 @@ nlohmann::ordered_json to_json(const DenoiseSummary& summary) {
           {"non_finite", report.non_finite},
           {"duplicates", report.duplicates},
           {"outliers", report.outliers},
+          {"kept", report.kept},
           {"spacing", report.spacing},
           {"noise", report.noise},
           {"max_move", report.max_move},
@@ -78,7 +79,7 @@ std::string to_text(const DenoiseSummary& summary) {
   }
   const std::string fields =
       summary.added.empty() ? "" : fmt::format(" with {}", fmt::join(summary.added, " "));
-  return text + fmt::format("written to {}{}\n", summary.output, fields);
+  return text + fmt::format("{} points written to {}{}\n", report.kept, summary.output, fields);
 }
 
 }  // namespace deburr::cli

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "deburr/noise.hpp"
 #include "deburr/outliers.hpp"
 #include "keep_points.hpp"
+#include "noise_levels.hpp"
 #include "parallel.hpp"
 #include "published.hpp"
 #include "require.hpp"
@@ -30,10 +32,27 @@ constexpr double most_deviations = 4;
 /// surface.
 constexpr double least_noise = 0.01;
 
-/// What is common to both methods: finds spacing and noise.
-void measure_spacing(Points points, std::size_t k, const WorkingSet& set, Report& report,
-                     const Execution& execution) {
-  const Neighborhoods nearest =
+/// How the noise between sheets that lie close over each other is used: noise takes points to the
+/// wrong one of them, and fits that expect all of it draw them together. So less is expected where
+/// they are fewer standard deviations apart, and no point moves by more than a part of the gap.
+struct Caution {
+  double noise = 1;  ///< share of the noise to expect
+  double max_move = std::numeric_limits<double>::infinity();
+
+  explicit Caution(const NoiseEstimate& estimate) {
+    constexpr double clear = 7;  // standard deviations from which on hardly a point is in between
+    constexpr double least = 0.6;
+    constexpr double way = 0.3;
+    if (!(estimate.gap > 0)) return;
+    noise = std::clamp(estimate.gap / (clear * estimate.sigma), least, 1.0);
+    max_move = way * estimate.gap;
+  }
+};
+
+/// What is common to both methods: finds the spacing. Returns the `k` nearest of each point.
+Neighborhoods measure_spacing(Points points, std::size_t k, const WorkingSet& set, Report& report,
+                              const Execution& execution) {
+  Neighborhoods nearest =
       find_neighbors(points, {.max_count = k}, sub_execution(execution, "spacing", 0, 0.8));
   const double spacing =
       mean_neighbor_distance(points, nearest, sub_execution(execution, "spacing", 0.8, 1));
@@ -41,23 +60,26 @@ void measure_spacing(Points points, std::size_t k, const WorkingSet& set, Report
     throw DataError("the distances between the points are larger than a double can hold");
   }
   report.spacing = set.length(spacing);
+  return nearest;
 }
 
 void run_yadav2018(const Yadav2018Options& options, const WorkingSet& set, bool keep_normals,
                    State& state, Report& report, StageClock& clock, const Execution& execution) {
-  const double spacing = clock.time("spacing and noise", [&] {
-    measure_spacing(set.points, options.k, set, report,
-                    sub_execution(execution, "spacing and noise", 0.02, 0.06));
+  const Neighborhoods nearest = clock.time("spacing and noise", [&] {
+    Neighborhoods found =
+        measure_spacing(set.points, options.k, set, report,
+                        sub_execution(execution, "spacing and noise", 0.02, 0.06));
     report.noise =
         set.length(estimate_noise(set.points, sub_execution(execution, "noise", 0.06, 0.1)));
-    return std::scalbn(report.spacing, -set.exponent);
+    return found;
   });
+  const double spacing = std::scalbn(report.spacing, -set.exponent);
   constexpr std::size_t fewest_points = 4;
   if (set.points.size() - set.duplicates < fewest_points || !(spacing > 0)) return;
   report.kept_normals = keep_normals;
   const Schedule schedule = make_schedule(options, spacing);
   report.max_move = set.length(schedule.update.max_move);
-  run_published(options, schedule, set, keep_normals, state, report, clock,
+  run_published(nearest, schedule, set, keep_normals, state, report, clock,
                 sub_execution(execution, "rounds", 0.1, 1));
 }
 
@@ -79,11 +101,14 @@ void run_automatic(const AutoOptions& options, const WorkingSet& set, bool keep_
     points.push_back(set.points[i]);
     if (keep_normals) normals.push_back(set.normals[i]);
   }
-  const NoiseEstimate estimate = clock.time("spacing and noise", [&] {
-    measure_spacing(points, spacing_neighbors, set, report,
-                    sub_execution(execution, "spacing and noise", 0.15, 0.2));
-    return measure_noise(points, sub_execution(execution, "noise", 0.2, 0.25));
+  LocalNoise local_noise = clock.time("spacing and noise", [&] {
+    (void)measure_spacing(points, spacing_neighbors, set, report,
+                          sub_execution(execution, "spacing and noise", 0.15, 0.2));
+    const Execution part = sub_execution(execution, "noise", 0.2, 0.25);
+    return options.noise > 0 ? LocalNoise{measure_noise(points, part), {}, {}}
+                             : estimate_local_noise(points, part);
   });
+  const NoiseEstimate& estimate = local_noise.overall;
   // Given lengths may be of any size; the points lie within a box of 4.
   const auto local = [&](double length) {
     return std::min(std::scalbn(length, -set.exponent), 4.0);
@@ -92,14 +117,29 @@ void run_automatic(const AutoOptions& options, const WorkingSet& set, bool keep_
       estimate.spacing > 0 || options.noise == 0 ? estimate.spacing : local(report.spacing);
   if (!(spacing > 0)) return;
   constexpr std::array by_strength{0.5, 1 / std::numbers::sqrt2, 1.0, std::numbers::sqrt2, 2.0};
-  const double noise = (options.noise > 0 ? local(options.noise) : estimate.sigma) *
-                       by_strength.at(static_cast<std::size_t>(options.strength - 1));
-  const double max_move = options.max_move > 0 ? local(options.max_move) : most_deviations * noise;
+  const double strength = by_strength.at(static_cast<std::size_t>(options.strength - 1));
+  const Caution caution(options.noise > 0 ? NoiseEstimate{} : estimate);
+  const double noise =
+      strength * (options.noise > 0 ? local(options.noise) : caution.noise * estimate.sigma);
+  const double given_move = local(options.max_move);
+  double max_move =
+      given_move > 0 ? given_move : std::min(most_deviations * noise, caution.max_move);
+  const double least = least_noise * spacing;
+  // Where much of the cloud has none, what looks like noise elsewhere is detail.
+  if (!(estimate.sigma > least)) local_noise.sigma.clear();
+  for (double& sigma : local_noise.sigma) sigma *= strength;
+  const NoiseLevels levels = find_noise_levels(local_noise.sigma, least);
+  const AutomaticInput input{points, normals, std::max(noise, least), spacing, max_move};
+  const Execution part = sub_execution(execution, "denoise", 0.25, 1);
+  AutomaticResult result;
+  if (levels.sigma.empty()) {
+    result = denoise_automatically(input, clock, part);
+  } else {
+    result = denoise_at_levels(input, levels, given_move, most_deviations, clock, part);
+    if (!(given_move > 0)) max_move = most_deviations * levels.sigma.back();
+  }
   report.noise = set.length(noise);
   report.max_move = set.length(max_move);
-  AutomaticResult result = denoise_automatically(
-      {points, normals, std::max(noise, least_noise * spacing), spacing, max_move}, clock,
-      sub_execution(execution, "denoise", 0.25, 1));
   report.kept_normals = result.kept_normals;
   for (std::size_t at = 0; at < kept.size(); ++at) {
     state.points[kept[at]] = result.points[at];
@@ -175,6 +215,7 @@ DenoiseResult denoise(const PointCloud& cloud, const DenoiseOptions& options,
   if (options.automatic.outliers == OutlierAction::Remove && report.outliers > 0) {
     remove_outliers(result);
   }
+  report.kept = result.cloud.size();
   report.stages = std::move(clock).times();
   return result;
 }

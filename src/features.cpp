@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deburr/features.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "parallel.hpp"
 #include "point_class.hpp"
 #include "require.hpp"
+#include "rows.hpp"
 
 namespace deburr {
 
@@ -20,11 +22,24 @@ FeatureField classify_features(Points points, Normals normals, const Neighborhoo
   require_size("normals", normals.size(), points.size());
   require_size("neighborhoods", neighborhoods.size(), points.size());
   validate(options);
+  const std::vector<Row> point_rows = make_rows(points, execution);
+  const std::vector<Row> normal_rows = make_rows(normals, execution);
+  const Oriented cloud{point_rows.data(), normal_rows.data()};
   FeatureField field{std::vector<Feature>(points.size()), std::vector<Vec3>(points.size())};
-  parallel_for(points.size(), execution, [&](std::size_t i) {
-    const PointClass c = classify_point(i, points, normals, neighborhoods[i], options);
-    field.label[i] = c.label;
-    field.direction[i] = c.direction;
+  parallel_blocks(points.size(), execution, [&](std::size_t begin, std::size_t end) {
+    Moments moments;
+    PointClasses classes;
+    for (std::size_t from = begin; from < end; from += lane_count) {
+      const std::size_t count = std::min(lane_count, end - from);
+      for (std::size_t l = 0; l < count; ++l) {
+        add_moments(from + l, cloud, neighborhoods[from + l], options.rho, l, moments);
+      }
+      classify_points(moments, options, classes);
+      for (std::size_t l = 0; l < count; ++l) {
+        field.label[from + l] = classes[l].label;
+        field.direction[from + l] = classes[l].direction;
+      }
+    }
   });
   return field;
 }

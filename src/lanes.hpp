@@ -59,6 +59,12 @@ DEBURR_LANES_INLINE Lanes3 operator*(const Lanes& s, const Lanes3& v) {
 DEBURR_LANES_INLINE Lanes dot(const Lanes3& a, const Lanes3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+DEBURR_LANES_INLINE Vec3 lane(const Lanes3& v, std::size_t l) { return {v.x[l], v.y[l], v.z[l]}; }
+DEBURR_LANES_INLINE void set_lane(Lanes3& v, std::size_t l, const Vec3& value) {
+  v.x[l] = value.x;
+  v.y[l] = value.y;
+  v.z[l] = value.z;
+}
 DEBURR_LANES_INLINE Vec3 sum(const Lanes3& v) { return {sum(v.x), sum(v.y), sum(v.z)}; }
 
 /// A sum of outer products in each lane.
@@ -75,7 +81,23 @@ struct LanesSym3 {
     yz += w.y * v.z;
     zz += w.z * v.z;
   }
+  DEBURR_LANES_INLINE void scale(const Lanes& s) {
+    xx *= s;
+    xy *= s;
+    xz *= s;
+    yy *= s;
+    yz *= s;
+    zz *= s;
+  }
 };
+DEBURR_LANES_INLINE void set_lane(LanesSym3& m, std::size_t l, const Sym3& value) {
+  m.xx[l] = value.xx;
+  m.xy[l] = value.xy;
+  m.xz[l] = value.xz;
+  m.yy[l] = value.yy;
+  m.yz[l] = value.yz;
+  m.zz[l] = value.zz;
+}
 DEBURR_LANES_INLINE Sym3 sum(const LanesSym3& m) {
   return {sum(m.xx), sum(m.xy), sum(m.xz), sum(m.yy), sum(m.yz), sum(m.zz)};
 }

@@ -143,10 +143,12 @@ LocalNoise estimate_local_noise(Points points, const Execution& execution) {
   const WorkingSet& set = survey.set();
   LocalNoise noise;
   noise.overall = {set.length(overall.sigma), set.length(overall.spacing),
-                   set.length(overall.reach)};
+                   set.length(overall.reach), set.length(overall.gap)};
   noise.sigma.assign(points.size(), noise.overall.sigma);
   noise.spacing.assign(points.size(), noise.overall.spacing);
   if (!survey.has_enough_points() || !(overall.spacing > 0)) return noise;
+  // Of sheets that lie close over each other, patches of single places show the gap.
+  if (overall.gap > 0) return noise;
 
   const Execution quiet{.threads = execution.threads, .cancelled = execution.cancelled};
   const std::vector<Vec3>& places = survey.patches().sample();

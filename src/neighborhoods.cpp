@@ -9,6 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "cell_grid.hpp"
 #include "deburr/error.hpp"
 #include "kd_tree.hpp"
 #include "parallel.hpp"
@@ -23,6 +24,97 @@ Neighborhoods::Neighborhoods(std::vector<std::size_t> offsets, std::vector<std::
                                    std::is_sorted(offsets_.begin(), offsets_.end());
   if (!partition) throw std::invalid_argument("neighborhoods.offsets do not partition the indices");
 }
+
+namespace {
+
+constexpr double counted = 0.3;  ///< share of the progress that counting takes
+
+/// Turns numbers of neighbours, each one place after its own, into offsets.
+/// @throws DataError  if there are too many
+void make_offsets(std::vector<std::size_t>& offsets, double radius) {
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  if (offsets.back() > max_pairs) {
+    throw DataError(fmt::format(
+        "the neighbourhoods of {} points within a radius of {} hold {} pairs, more than the {} "
+        "that are allowed",
+        offsets.size() - 1, radius, offsets.back(), max_pairs));
+  }
+}
+
+// Counting first tells what memory is needed before any is taken.
+
+Neighborhoods search_grid(const CellGrid& grid, const NeighborOptions& options,
+                          const Execution& execution) {
+  const std::size_t most =
+      options.max_count > 0 ? options.max_count : std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> offsets(grid.size() + 1);
+  parallel_blocks(grid.size(), sub_execution(execution, "neighbourhoods", 0, counted),
+                  [&](std::size_t begin, std::size_t end) {
+                    std::vector<std::size_t> counts(end - begin);
+                    grid.count(begin, end, counts.data());
+                    for (std::size_t slot = begin; slot < end; ++slot) {
+                      offsets[grid.index(slot) + 1] = std::min(counts[slot - begin], most);
+                    }
+                  });
+  make_offsets(offsets, options.radius);
+  std::vector<std::uint32_t> indices(offsets.back());
+  parallel_blocks(grid.size(), sub_execution(execution, "neighbourhoods", counted, 1),
+                  [&](std::size_t begin, std::size_t end) {
+                    std::vector<std::size_t> wanted(end - begin);
+                    std::vector<std::uint32_t*> to(end - begin);
+                    for (std::size_t slot = begin; slot < end; ++slot) {
+                      const std::size_t offset = offsets[grid.index(slot)];
+                      wanted[slot - begin] = offsets[grid.index(slot) + 1] - offset;
+                      to[slot - begin] = indices.data() + offset;
+                    }
+                    grid.find(begin, end, wanted, to);
+                  });
+  return {std::move(offsets), std::move(indices)};
+}
+
+Neighborhoods search_tree(Points points, const NeighborOptions& options,
+                          const Execution& execution) {
+  const KdTree tree(points, execution);
+  const double squared_radius = options.radius > 0 ? options.radius * options.radius
+                                                   : std::numeric_limits<double>::infinity();
+  const auto find = [&](std::size_t i, std::vector<Found>& found) {
+    const auto query = static_cast<std::uint32_t>(i);
+    if (options.max_count > 0) {
+      tree.nearest(query, options.max_count, squared_radius, found);
+    } else {
+      tree.within(query, squared_radius, found);
+    }
+  };
+
+  const auto count = [&](std::size_t i) {
+    const std::size_t all = options.radius > 0
+                                ? tree.count_within(static_cast<std::uint32_t>(i), squared_radius)
+                                : points.size() - 1;
+    return options.max_count > 0 ? std::min(all, options.max_count) : all;
+  };
+
+  // Along the leaves of the tree one search warms the cache for the next.
+  const std::vector<std::uint32_t>& order = tree.order();
+  std::vector<std::size_t> offsets(points.size() + 1);
+  parallel_for(points.size(), sub_execution(execution, "neighbourhoods", 0, counted),
+               [&](std::size_t at) { offsets[order[at] + 1] = count(order[at]); });
+  make_offsets(offsets, options.radius);
+  std::vector<std::uint32_t> indices(offsets.back());
+  parallel_blocks(points.size(), sub_execution(execution, "neighbourhoods", counted, 1),
+                  [&](std::size_t begin, std::size_t end) {
+                    std::vector<Found> found;
+                    for (std::size_t at = begin; at < end; ++at) {
+                      const std::size_t i = order[at];
+                      find(i, found);
+                      for (std::size_t k = 0; k < found.size(); ++k) {
+                        indices[offsets[i] + k] = found[k].index;
+                      }
+                    }
+                  });
+  return {std::move(offsets), std::move(indices)};
+}
+
+}  // namespace
 
 Neighborhoods find_neighbors(Points points, const NeighborOptions& options,
                              const Execution& execution) {
@@ -43,51 +135,13 @@ Neighborhoods find_neighbors(Points points, const NeighborOptions& options,
         fmt::format("points[{}] is not finite", std::distance(points.begin(), bad)));
   }
 
-  const KdTree tree(points, execution);
-  const double squared_radius = options.radius > 0 ? options.radius * options.radius
-                                                   : std::numeric_limits<double>::infinity();
-  const auto find = [&](std::size_t i, std::vector<Found>& found) {
-    const auto query = static_cast<std::uint32_t>(i);
-    if (options.max_count > 0) {
-      tree.nearest(query, options.max_count, squared_radius, found);
-    } else {
-      tree.within(query, squared_radius, found);
+  if (options.radius > 0) {
+    const Execution quiet{.threads = execution.threads, .cancelled = execution.cancelled};
+    if (const auto grid = CellGrid::make(points, options.radius, options.max_count, quiet)) {
+      return search_grid(*grid, options, execution);
     }
-  };
-
-  const auto count = [&](std::size_t i) {
-    const std::size_t all = options.radius > 0
-                                ? tree.count_within(static_cast<std::uint32_t>(i), squared_radius)
-                                : points.size() - 1;
-    return options.max_count > 0 ? std::min(all, options.max_count) : all;
-  };
-
-  // Counting first tells what memory is needed before any is taken. Along the leaves of the tree
-  // one search warms the cache for the next.
-  const std::vector<std::uint32_t>& order = tree.order();
-  std::vector<std::size_t> offsets(points.size() + 1);
-  parallel_for(points.size(), sub_execution(execution, "neighbourhoods", 0, 0.3),
-               [&](std::size_t at) { offsets[order[at] + 1] = count(order[at]); });
-  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-  if (offsets.back() > max_pairs) {
-    throw DataError(fmt::format(
-        "the neighbourhoods of {} points within a radius of {} hold {} pairs, more than the {} "
-        "that are allowed",
-        points.size(), options.radius, offsets.back(), max_pairs));
   }
-  std::vector<std::uint32_t> indices(offsets.back());
-  parallel_blocks(points.size(), sub_execution(execution, "neighbourhoods", 0.3, 1),
-                  [&](std::size_t begin, std::size_t end) {
-                    std::vector<Found> found;
-                    for (std::size_t at = begin; at < end; ++at) {
-                      const std::size_t i = order[at];
-                      find(i, found);
-                      for (std::size_t k = 0; k < found.size(); ++k) {
-                        indices[offsets[i] + k] = found[k].index;
-                      }
-                    }
-                  });
-  return {std::move(offsets), std::move(indices)};
+  return search_tree(points, options, execution);
 }
 
 double mean_neighbor_distance(Points points, const Neighborhoods& neighborhoods,

@@ -10,7 +10,8 @@ NoiseEstimate measure_noise(Points points, const Execution& execution) {
   NoiseSurvey survey(points, execution);
   const NoiseEstimate local = survey.overall(execution);
   const WorkingSet& set = survey.set();
-  return {set.length(local.sigma), set.length(local.spacing), set.length(local.reach)};
+  return {set.length(local.sigma), set.length(local.spacing), set.length(local.reach),
+          set.length(local.gap)};
 }
 
 double estimate_noise(Points points, const Execution& execution) {

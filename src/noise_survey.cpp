@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "noise_sheets.hpp"
 #include "noise_tails.hpp"
 #include "parallel.hpp"
 
@@ -18,6 +19,7 @@ constexpr std::size_t most_to_grow = 48;
 /// it.
 constexpr std::size_t most_with_tails = 100;
 constexpr std::size_t places_for_tails = 512;
+constexpr std::size_t places_for_sheets = 128;
 
 WorkingSet distinct_points(Points points, const Execution& execution) {
   PointCloud cloud;
@@ -60,17 +62,30 @@ NoiseEstimate NoiseSurvey::overall(const Execution& execution) {
     }
     best.sigma = whole_sigma(smallest.count, best.sigma, execution);
   }
+  CloseSheets close;
+  // What rounding leaves of no noise at all has no sheets.
+  constexpr double rounding = 1e-9;
+  if (best.sigma > rounding * best.reach) {
+    close = find_close_sheets(set_.points, tree_, some_places(places_for_sheets), best.count,
+                              best.sigma,
+                              {.threads = execution.threads, .cancelled = execution.cancelled});
+    if (close.found) best.sigma = close.sigma;
+  }
   if (execution.progress) execution.progress({"noise", 1});
-  return {best.sigma, best.spacing, best.reach};
+  return {best.sigma, best.spacing, best.reach, close.found ? close.gap : 0};
+}
+
+std::vector<Vec3> NoiseSurvey::some_places(std::size_t number) const {
+  const std::vector<Vec3>& sample = patches_.sample();
+  const std::size_t step = std::max<std::size_t>(1, sample.size() / number);
+  std::vector<Vec3> places;
+  for (std::size_t i = 0; i < sample.size(); i += step) places.push_back(sample[i]);
+  return places;
 }
 
 double NoiseSurvey::whole_sigma(std::size_t count, double sigma, const Execution& execution) const {
   if (count > most_with_tails) return sigma;
-  const std::vector<Vec3>& sample = patches_.sample();
-  const std::size_t step = std::max<std::size_t>(1, sample.size() / places_for_tails);
-  std::vector<Vec3> places;
-  for (std::size_t i = 0; i < sample.size(); i += step) places.push_back(sample[i]);
-  return with_tails(set_.points, tree_, places, count, sigma,
+  return with_tails(set_.points, tree_, some_places(places_for_tails), count, sigma,
                     {.threads = execution.threads, .cancelled = execution.cancelled});
 }
 

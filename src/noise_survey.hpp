@@ -30,6 +30,8 @@ class NoiseSurvey {
 
  private:
   void add_size(const Execution& execution);
+  /// About so many places, evenly out of the sample.
+  [[nodiscard]] std::vector<Vec3> some_places(std::size_t number) const;
   [[nodiscard]] double whole_sigma(std::size_t count, double sigma,
                                    const Execution& execution) const;
 

@@ -2,28 +2,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deburr/normal_filter.hpp"
 
+#include <algorithm>
+#include <array>
+
+#include "lane_spectrum.hpp"
 #include "lanes.hpp"
+#include "normal_votes.hpp"
 #include "parallel.hpp"
 #include "require.hpp"
-#include "sym3.hpp"
-#include "unit.hpp"
 
 namespace deburr {
 namespace {
 
-/// The sum of n_j n_j^T over the voters for one point, and their number.
-struct Votes {
-  Sym3 sum;
-  double count = 0;
-};
-
-/// Votes for the points [begin, end). A zero normal never votes, since rho is not negative.
+/// Votes for the points [begin, end), at most eight. A zero normal never votes, since rho is not
+/// negative.
 DEBURR_MULTIVERSION
-void count_votes(std::size_t begin, std::size_t end, Normals normals,
-                 const Neighborhoods& neighborhoods, double rho, Votes* votes) {
+void count_votes(std::size_t begin, std::size_t end, const Row* normals,
+                 const Neighborhoods& neighborhoods, double rho, Votes& votes) {
   for (std::size_t i = begin; i < end; ++i) {
     const auto neighbors = neighborhoods[i];
-    const Lanes3 n = all_lanes(normals[i]);
+    const Lanes3 n = all_lanes(Vec3(normals[i]));
     LanesSym3 tensor;
     Lanes count{};
     for (std::size_t k = 0; k < neighbors.size(); k += lane_count) {
@@ -32,22 +30,45 @@ void count_votes(std::size_t begin, std::size_t end, Normals normals,
       tensor.add_outer(vote, m);
       count += vote;
     }
-    votes[i - begin] = {sum(tensor), sum(count)};
+    set_lane(votes.sum, i - begin, sum(tensor));
+    votes.count[i - begin] = sum(count);
   }
 }
 
 /// B n for the voting tensor: the sum of the projections of n onto the dominant directions.
-Vec3 project_on_dominant(const Sym3& tensor, const NormalFilterOptions& options, const Vec3& n) {
-  const Spectrum s = spectrum(tensor, options.eigen_tolerance);
-  const double total = s.values[0] + s.values[1] + s.values[2];
-  Vec3 projected = dot(s.vectors[0], n) * s.vectors[0];
+DEBURR_LANES_INLINE Lanes3 project_on_dominant(const LanesSym3& tensor,
+                                               const NormalFilterOptions& options,
+                                               const Lanes3& n) {
+  const LanesSpectrum s = spectrum(tensor, options.eigen_tolerance);
+  const Lanes total = s.values[0] + s.values[1] + s.values[2];
+  Lanes3 projected = dot(s.vectors[0], n) * s.vectors[0];
   for (std::size_t q = 1; q < 3; ++q) {
-    if (!(s.values[q] < options.tau * total)) projected += dot(s.vectors[q], n) * s.vectors[q];
+    const LaneBits minor = s.values[q] < options.tau * total;
+    projected = choose(minor, projected, projected + dot(s.vectors[q], n) * s.vectors[q]);
   }
   return projected;
 }
 
 }  // namespace
+
+DEBURR_MULTIVERSION
+void turn_by_votes(const Votes& votes, std::span<const std::uint32_t> points, const Row* normals,
+                   const NormalFilterOptions& options, Voteless voteless, Vec3* filtered) {
+  LanesSym3 tensor = votes.sum;
+  tensor.scale(1 / votes.count);
+  Lanes3 n;
+  for (std::size_t l = 0; l < points.size(); ++l) set_lane(n, l, Vec3(normals[points[l]]));
+  const Lanes3 result =
+      unit(all_lanes(options.damping) * n + project_on_dominant(tensor, options, n));
+  for (std::size_t l = 0; l < points.size(); ++l) {
+    const std::uint32_t i = points[l];
+    if (votes.count[l] != 0) {
+      filtered[i] = lane(result, l);
+    } else {
+      filtered[i] = voteless == Voteless::Keep ? Vec3(normals[i]) : Vec3{};
+    }
+  }
+}
 
 std::vector<Vec3> filter_normals(Normals normals, const Neighborhoods& neighborhoods,
                                  const NormalFilterOptions& options, Voteless voteless,
@@ -58,19 +79,17 @@ std::vector<Vec3> filter_normals(Normals normals, const Neighborhoods& neighborh
   require(options.damping >= 0 && options.damping <= 1e6, "normal_filter.damping", "in [0, 1e6]",
           options.damping);
 
+  const std::vector<Row> rows = make_rows(normals, execution);
   std::vector<Vec3> filtered(normals.size());
   parallel_blocks(normals.size(), execution, [&](std::size_t begin, std::size_t end) {
-    std::vector<Votes> votes(end - begin);
-    count_votes(begin, end, normals, neighborhoods, options.rho, votes.data());
-    for (std::size_t i = begin; i < end; ++i) {
-      Votes& v = votes[i - begin];
-      if (v.count == 0) {
-        filtered[i] = voteless == Voteless::Keep ? normals[i] : Vec3{};
-        continue;
-      }
-      v.sum.scale(1 / v.count);
-      filtered[i] =
-          unit(options.damping * normals[i] + project_on_dominant(v.sum, options, normals[i]));
+    std::array<std::uint32_t, lane_count> batch{};
+    for (std::size_t from = begin; from < end; from += lane_count) {
+      const std::size_t to = std::min(end, from + lane_count);
+      for (std::size_t i = from; i < to; ++i) batch[i - from] = static_cast<std::uint32_t>(i);
+      Votes votes;
+      count_votes(from, to, rows.data(), neighborhoods, options.rho, votes);
+      turn_by_votes(votes, {batch.data(), to - from}, rows.data(), options, voteless,
+                    filtered.data());
     }
   });
   return filtered;

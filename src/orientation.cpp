@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "parallel.hpp"
 #include "require.hpp"
@@ -48,42 +49,105 @@ class Pieces {
 /// on.
 std::vector<Edge> neighbor_graph(Normals normals, const Neighborhoods& neighborhoods,
                                  const Execution& execution) {
+  std::vector<std::vector<Edge>> parts((normals.size() + block_size - 1) / block_size);
+  parallel_blocks(
+      normals.size(), {.threads = execution.threads, .cancelled = execution.cancelled},
+      [&](std::size_t begin, std::size_t end) {
+        std::vector<Edge>& edges = parts[begin / block_size];
+        for (std::size_t at = begin; at < end; ++at) {
+          const auto i = static_cast<std::uint32_t>(at);
+          if (is_zero(normals[i])) continue;
+          for (const std::uint32_t j : neighborhoods[i]) {
+            if (is_zero(normals[j])) continue;
+            if (j < i && std::ranges::find(neighborhoods[j], i) != neighborhoods[j].end()) {
+              continue;
+            }
+            edges.push_back(
+                {1 - std::abs(dot(normals[i], normals[j])), std::min(i, j), std::max(i, j)});
+          }
+        }
+      });
+  std::size_t count = 0;
+  for (const auto& part : parts) count += part.size();
   std::vector<Edge> edges;
-  edges.reserve(neighborhoods.pair_count());
-  for (std::uint32_t i = 0; i < normals.size(); ++i) {
-    if (i % block_size == 0) check_cancelled(execution);
-    if (is_zero(normals[i])) continue;
-    for (const std::uint32_t j : neighborhoods[i]) {
-      if (is_zero(normals[j])) continue;
-      if (j < i && std::ranges::find(neighborhoods[j], i) != neighborhoods[j].end()) continue;
-      edges.push_back({1 - std::abs(dot(normals[i], normals[j])), std::min(i, j), std::max(i, j)});
-    }
+  edges.reserve(count);
+  for (auto& part : parts) {
+    edges.insert(edges.end(), part.begin(), part.end());
+    part = {};
   }
   return edges;
 }
 
-/// Both directions of the edges of the minimum spanning forest (Kruskal), as neighbourhoods.
-Neighborhoods spanning_forest(std::size_t n, const std::vector<Edge>& sorted,
-                              const Execution& execution) {
-  Pieces pieces(n);
-  std::vector<Edge> forest;
+/// The minimum spanning forest, by Kruskal, without sorting edges within what lighter ones have
+/// joined already (filter-Kruskal: Osipov, Sanders and Singler 2009). No two edges are equal, so
+/// that there is one such forest.
+class ForestFinder {
+ public:
+  ForestFinder(std::size_t n, const Execution& execution) : pieces_(n), execution_(execution) {}
+
+  void add(std::span<Edge> edges) {
+    check_cancelled(execution_);
+    if (edges.size() <= few) {
+      std::sort(edges.begin(), edges.end());
+      for (const Edge& edge : edges) {
+        if (pieces_.join(edge.i, edge.j)) forest_.push_back(edge);
+      }
+      return;
+    }
+    const std::size_t half = edges.size() / 2;
+    std::nth_element(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(half), edges.end());
+    add(edges.first(half));
+    const auto heavy = edges.subspan(half);
+    const auto end = std::remove_if(heavy.begin(), heavy.end(), [&](const Edge& edge) {
+      return pieces_.find(edge.i) == pieces_.find(edge.j);
+    });
+    add(heavy.first(static_cast<std::size_t>(end - heavy.begin())));
+  }
+
+  [[nodiscard]] Pieces& pieces() { return pieces_; }
+  [[nodiscard]] const std::vector<Edge>& forest() const { return forest_; }
+
+ private:
+  static constexpr std::size_t few = 4096;
+
+  Pieces pieces_;
+  std::vector<Edge> forest_;
+  const Execution& execution_;
+};
+
+/// Both directions of edges, as neighbourhoods.
+Neighborhoods adjacency(std::size_t n, const std::vector<Edge>& edges) {
   std::vector<std::size_t> offsets(n + 1);
-  for (std::size_t k = 0; k < sorted.size(); ++k) {
-    if (k % block_size == 0) check_cancelled(execution);
-    const Edge& edge = sorted[k];
-    if (!pieces.join(edge.i, edge.j)) continue;
-    forest.push_back(edge);
+  for (const Edge& edge : edges) {
     ++offsets[edge.i + 1];
     ++offsets[edge.j + 1];
   }
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
   std::vector<std::uint32_t> indices(offsets.back());
   std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
-  for (const Edge& edge : forest) {
+  for (const Edge& edge : edges) {
     indices[next[edge.i]++] = edge.j;
     indices[next[edge.j]++] = edge.i;
   }
   return {std::move(offsets), std::move(indices)};
+}
+
+/// The highest point of each piece, the first of those.
+std::vector<std::uint32_t> highest_points(Points points, Pieces& pieces) {
+  // A piece is known by its first point, which is met first.
+  std::vector<std::uint32_t> highest(points.size());
+  std::vector<std::uint32_t> firsts;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const std::uint32_t first = pieces.find(i);
+    if (first == i) {
+      firsts.push_back(i);
+      highest[i] = i;
+    } else if (points[i].z > points[highest[first]].z) {
+      highest[first] = i;
+    }
+  }
+  for (std::uint32_t& first : firsts) first = highest[first];
+  return firsts;
 }
 
 }  // namespace
@@ -93,22 +157,16 @@ std::vector<Vec3> orient_normals(Points points, Normals normals, const Neighborh
   require_size("normals", normals.size(), points.size());
   require_size("neighborhoods", neighborhoods.size(), points.size());
   std::vector<Edge> edges = neighbor_graph(normals, neighborhoods, execution);
-  parallel_sort(edges, execution);
-  const Neighborhoods forest = spanning_forest(points.size(), edges, execution);
+  ForestFinder finder(points.size(), execution);
+  finder.add(edges);
   edges = {};
+  const Neighborhoods forest = adjacency(points.size(), finder.forest());
   check_cancelled(execution);
 
-  // Highest points first: the first point of a piece that is met is its root.
-  std::vector<std::uint32_t> roots(points.size());
-  std::iota(roots.begin(), roots.end(), 0U);
-  std::sort(roots.begin(), roots.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return points[a].z != points[b].z ? points[a].z > points[b].z : a < b;
-  });
   std::vector<Vec3> oriented(normals.begin(), normals.end());
   std::vector<bool> seen(points.size());
   std::vector<std::uint32_t> open;
-  for (const std::uint32_t root : roots) {
-    if (seen[root]) continue;
+  for (const std::uint32_t root : highest_points(points, finder.pieces())) {
     seen[root] = true;
     if (points_down(oriented[root])) oriented[root] = -oriented[root];
     open.push_back(root);

@@ -11,58 +11,85 @@
 namespace deburr {
 namespace {
 
-/// Share of surface points among the flagged ones that is aimed for.
-constexpr double false_share = 0.035;
+/// Share of surface points among the flagged ones, at most.
+constexpr double false_share = 0.04;
 
-/// Between these scores only outliers are left, as dense as between the points of the surface.
-constexpr double outside_from = 5;
+/// Between these scores, times the factor, only outliers are left, as dense as between the points
+/// of the surface.
+constexpr double outside_from = 4;
 constexpr double outside_to = 6.5;
 
-/// A share of a normal distribution, and what the absolute value exceeds outside of it.
+/// A share of a normal distribution, and what its absolute value has at most there: where the tail
+/// begins that hides outliers.
 struct Quantile {
   double share;
   double score;
 };
-constexpr Quantile quantiles[] = {{0.9, 1.6449}, {0.95, 1.96}, {0.98, 2.3263}, {0.99, 2.5758}};
+constexpr Quantile quantiles[] = {{0.98, 2.3263}, {0.99, 2.5758}, {0.995, 2.8070}, {0.998, 3.0902}};
 
+/// Scores of the surface over those of a normal distribution. A small one is that of two sheets
+/// taken for one thick one, which have hardly a tail.
+constexpr double smallest_factor = 0.8;
 constexpr double largest_factor = 2;
+
+/// Thresholds to choose from, times the factor.
+constexpr double lowest = 2;
+constexpr double highest = 4;
 
 /// Scores in ascending order.
 class Scores {
  public:
   explicit Scores(std::vector<double> scores) : sorted_(std::move(scores)) {
     std::sort(sorted_.begin(), sorted_.end());
-    outside_ = (static_cast<double>(below(outside_to)) - static_cast<double>(below(outside_from))) /
-               (outside_to - outside_from);
-    inside_ = inside_below(outside_to);
+    set_factor(1);
+    // What counts as outside depends on the factor, and the other way round.
+    for (int round = 0; round < 5; ++round) set_factor(find_factor());
   }
 
+  [[nodiscard]] double factor() const { return factor_; }
   [[nodiscard]] double above(double score) const {
     return static_cast<double>(sorted_.size() - below(score));
   }
-  [[nodiscard]] double size() const { return static_cast<double>(sorted_.size()); }
+  /// Points of the surface that have more than a score by chance.
+  [[nodiscard]] double inside_above(double score) const {
+    return inside_ * std::erfc(score / factor_ / std::numbers::sqrt2);
+  }
+  /// Outliers that have less.
+  [[nodiscard]] double outside_below(double score) const { return score * outside_; }
 
+ private:
+  void set_factor(double factor) {
+    factor_ = factor;
+    const double from = factor * outside_from;
+    const double to = factor * outside_to;
+    outside_ = (above(from) - above(to)) / (to - from);
+    inside_ = inside_below(from);
+  }
+  [[nodiscard]] double find_factor() const {
+    double factor = smallest_factor;
+    for (const Quantile& q : quantiles) factor = std::max(factor, quantile(q.share) / q.score);
+    return std::min(factor, largest_factor);
+  }
   /// The score that a share of the points of the surface has at most.
   [[nodiscard]] double quantile(double share) const {
     double low = 0;
-    double high = outside_to;
+    double high = factor_ * outside_from;
     for (int halving = 0; halving < 40; ++halving) {
       const double middle = (low + high) / 2;
       (inside_below(middle) < share * inside_ ? low : high) = middle;
     }
     return high;
   }
-
- private:
   [[nodiscard]] std::size_t below(double score) const {
     return static_cast<std::size_t>(std::upper_bound(sorted_.begin(), sorted_.end(), score) -
                                     sorted_.begin());
   }
   [[nodiscard]] double inside_below(double score) const {
-    return static_cast<double>(below(score)) - score * outside_;
+    return static_cast<double>(below(score)) - outside_below(score);
   }
 
   std::vector<double> sorted_;
+  double factor_ = 1;
   double outside_ = 0;  ///< outliers per unit of the score
   double inside_ = 0;   ///< points of the surface
 };
@@ -71,20 +98,15 @@ class Scores {
 
 double score_threshold(std::vector<double> scores) {
   const Scores sorted(std::move(scores));
-  double factor = 1;
-  for (const Quantile& q : quantiles) {
-    factor = std::max(factor, sorted.quantile(q.share) / q.score);
+  // In steps, since a threshold that rounding decides would not be the same in another unit.
+  constexpr int per_unit = 50;
+  for (int step = 0; step < per_unit * static_cast<int>(highest - lowest); ++step) {
+    const double score = sorted.factor() * (lowest + static_cast<double>(step) / per_unit);
+    // As many points of the surface go as outliers stay: precision and recall are the same.
+    const double allowed = std::min(sorted.outside_below(score), false_share * sorted.above(score));
+    if (sorted.inside_above(score) <= allowed) return score;
   }
-  factor = std::min(factor, largest_factor);
-  // Benjamini and Hochberg 1995: the share expected by chance among those found. Scores in steps,
-  // since a threshold that rounding decides would not be the same in another unit.
-  constexpr int per_unit = 20;
-  for (int step = 5 * per_unit / 2; step < 4 * per_unit; ++step) {
-    const double score = static_cast<double>(step) / per_unit;
-    const double by_chance = sorted.size() * std::erfc(score / std::numbers::sqrt2);
-    if (by_chance <= false_share * sorted.above(factor * score)) return factor * score;
-  }
-  return 4 * factor;
+  return sorted.factor() * highest;
 }
 
 }  // namespace deburr

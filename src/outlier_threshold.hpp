@@ -9,9 +9,10 @@ namespace deburr {
 /// Score above which points are outliers.
 ///
 /// @param scores  distances from the surface over the noise; infinite far off
-/// @return the smallest score from 2.5 to 4 above which at most 3.5 % are expected to be of the
-///         surface, times a factor of 1 to 2 where the noise is larger or has longer tails than
-///         scores say; 4 times that factor where none is
+/// @return the smallest score above which no more points of the surface are expected than outliers
+///         below it, and at most 4 % of all there, in [2, 4] times a factor; 4 times it where there
+///         is none. The factor, in [0.8, 2], is how much larger the noise is, or how much longer
+///         its tail, than scores say.
 [[nodiscard]] double score_threshold(std::vector<double> scores);
 
 }  // namespace deburr

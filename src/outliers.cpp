@@ -3,17 +3,14 @@
 #include "deburr/outliers.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
-#include "box.hpp"
 #include "kd_tree.hpp"
 #include "outlier_graph.hpp"
 #include "outlier_surface.hpp"
 #include "outlier_threshold.hpp"
 #include "parallel.hpp"
 #include "require.hpp"
-#include "spatial_order.hpp"
+#include "working_set.hpp"
 
 namespace deburr {
 namespace {
@@ -25,46 +22,6 @@ constexpr std::size_t small_share = 8;
 
 /// Up to this rough score a point is surely no outlier.
 constexpr double sure = 2.2;
-
-/// The finite points, each place once, around the origin and within a box of about two.
-struct Places {
-  std::vector<Vec3> points;
-  std::vector<std::uint32_t> from;  ///< the index of a point that was given
-  std::vector<std::uint32_t> to;    ///< where it is in `points`
-};
-
-Places distinct_places(Points points, const Execution& execution) {
-  Places places;
-  std::vector<Vec3> finite;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!is_finite(points[i])) continue;
-    places.from.push_back(static_cast<std::uint32_t>(i));
-    finite.push_back(points[i]);
-  }
-  if (finite.empty()) return places;
-  const Box box = bounding_box(finite);
-  const Vec3 center = middle(box);
-  const Vec3 half = half_extent(box);
-  // By a power of two, which rounds nothing; squares of distances then neither overflow nor vanish.
-  int exponent = 0;
-  std::frexp(std::max({half.x, half.y, half.z}), &exponent);
-  const auto normed = [&](double v, double middle) {
-    return std::ldexp(0.5 * v - 0.5 * middle, 1 - exponent);
-  };
-  places.to.resize(finite.size());
-  Vec3 last;
-  for (const std::uint32_t i :
-       spatial_order(finite, sub_execution(execution, "outliers", 0, 0.05))) {
-    const Vec3& p = finite[i];
-    if (places.points.empty() || p != last) {
-      places.points.push_back(
-          {normed(p.x, center.x), normed(p.y, center.y), normed(p.z, center.z)});
-    }
-    last = p;
-    places.to[i] = static_cast<std::uint32_t>(places.points.size() - 1);
-  }
-  return places;
-}
 
 /// Distance of every point from the surface, over the noise there.
 std::vector<double> scores(Points points, const Execution& execution) {
@@ -102,12 +59,14 @@ std::vector<std::uint8_t> find_outliers(Points points, const OutlierOptions& opt
           options.tolerance);
   require(points.size() < no_point, "points", "fewer than 2^32 - 1", points.size());
   std::vector<std::uint8_t> outlier(points.size());
-  const Places places = distinct_places(points, execution);
-  if (places.points.size() < fewest_points) return outlier;
-  const std::vector<double> score = scores(places.points, execution);
+  PointCloud cloud;
+  cloud.points.assign(points.begin(), points.end());
+  const WorkingSet set = make_working_set(cloud, {}, sub_execution(execution, "outliers", 0, 0.05));
+  if (set.points.size() < fewest_points) return outlier;
+  const std::vector<double> score = scores(set.points, execution);
   const double most = options.tolerance * score_threshold(score);
-  for (std::size_t i = 0; i < places.from.size(); ++i) {
-    outlier[places.from[i]] = score[places.to[i]] > most ? 1 : 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (set.slot[i] != WorkingSet::none) outlier[i] = score[set.slot[i]] > most ? 1 : 0;
   }
   return outlier;
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <span>
+#include <array>
 
 #include "deburr/features.hpp"
+#include "neighbor_sums.hpp"
 
 namespace deburr {
 
@@ -14,12 +14,12 @@ struct PointClass {
   Feature label = Feature::Isolated;
   Vec3 direction;
 };
+using PointClasses = std::array<PointClass, lane_count>;
 
 /// @throws std::invalid_argument  naming the option that is out of its range
 void validate(const FeatureOptions& options);
 
-/// Classifies point i; see classify_features.
-PointClass classify_point(std::size_t i, Points points, Normals normals,
-                          std::span<const std::uint32_t> neighbors, const FeatureOptions& options);
+/// Classifies eight points by their moments; see classify_features.
+void classify_points(const Moments& moments, const FeatureOptions& options, PointClasses& classes);
 
 }  // namespace deburr

@@ -6,13 +6,15 @@
 #include <span>
 
 #include "deburr/position_update.hpp"
+#include "neighbor_sums.hpp"
 #include "point_class.hpp"
 
 namespace deburr {
 
-/// The new position of point i; see update_positions.
-Vec3 move_point(std::size_t i, const Vec3& original, Points points, Normals normals,
+/// Where point i goes; see update_positions.
+/// @param sums  of which lane `l` is of this point, if it is on a surface
+Vec3 move_point(std::size_t i, const Vec3& original, const Oriented& cloud,
                 const PointClass& point_class, std::span<const std::uint32_t> neighbors,
-                const PositionUpdateOptions& options);
+                const SurfaceSums& sums, std::size_t l, const PositionUpdateOptions& options);
 
 }  // namespace deburr

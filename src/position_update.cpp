@@ -2,9 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deburr/position_update.hpp"
 
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
 #include "parallel.hpp"
 #include "point_move.hpp"
 #include "require.hpp"
+#include "rows.hpp"
+#include "sweep.hpp"
 
 namespace deburr {
 namespace {
@@ -23,6 +30,49 @@ void validate(Points original, Points points, Normals normals, const Neighborhoo
   require(options.max_move >= 0, "position_update.max_move", ">= 0", options.max_move);
 }
 
+/// One round of classifying and moving.
+struct Sweep {
+  Points original;
+  Oriented cloud;
+  const FeatureOptions& features;
+  const PositionUpdateOptions& options;
+  NextNormals* next_normals;
+
+  /// Classifies up to eight points and tells where each of them goes. None sees the others move.
+  /// @param near  near(l) are the neighbours of batch[l]
+  template <typename Near, typename Move>
+  void move(std::span<const std::uint32_t> batch, const Near& near, FeatureField& field,
+            const Move& to) const {
+    Moments moments;
+    SurfaceSums sums;
+    Votes votes;
+    PointClasses classes;
+    for (std::size_t l = 0; l < batch.size(); ++l) {
+      const std::uint32_t i = batch[l];
+      if (next_normals != nullptr) {
+        add_all(i, cloud, near(l), features.rho, options, l, moments, sums, votes);
+      } else {
+        add_both(i, cloud, near(l), features.rho, options, l, moments, sums);
+      }
+    }
+    if (next_normals != nullptr) {
+      turn_by_votes(votes, batch, cloud.normals, next_normals->filter, Voteless::Keep,
+                    next_normals->normals.data());
+    }
+    classify_points(moments, features, classes);
+    std::array<Vec3, lane_count> moved;
+    for (std::size_t l = 0; l < batch.size(); ++l) {
+      const std::uint32_t i = batch[l];
+      moved[l] = move_point(i, original[i], cloud, classes[l], near(l), sums, l, options);
+    }
+    for (std::size_t l = 0; l < batch.size(); ++l) {
+      to(batch[l], moved[l]);
+      field.label[batch[l]] = classes[l].label;
+      field.direction[batch[l]] = classes[l].direction;
+    }
+  }
+};
+
 }  // namespace
 
 std::vector<Vec3> update_positions(Points original, Points points, Normals normals,
@@ -32,10 +82,17 @@ std::vector<Vec3> update_positions(Points original, Points points, Normals norma
   validate(original, points, normals, neighborhoods, options);
   require_size("features.label", features.label.size(), points.size());
   require_size("features.direction", features.direction.size(), points.size());
+  const std::vector<Row> point_rows = make_rows(points, execution);
+  const std::vector<Row> normal_rows = make_rows(normals, execution);
+  const Oriented cloud{point_rows.data(), normal_rows.data()};
   std::vector<Vec3> moved(points.size());
   parallel_for(points.size(), execution, [&](std::size_t i) {
-    moved[i] = move_point(i, original[i], points, normals,
-                          {features.label[i], features.direction[i]}, neighborhoods[i], options);
+    SurfaceSums sums;
+    if (features.label[i] == Feature::Surface) {
+      add_offsets(i, cloud, neighborhoods[i], options, 0, sums);
+    }
+    moved[i] = move_point(i, original[i], cloud, {features.label[i], features.direction[i]},
+                          neighborhoods[i], sums, 0, options);
   });
   return moved;
 }
@@ -44,45 +101,110 @@ FeatureField sweep_at_once(Points original, std::vector<Vec3>& points, Normals n
                            const Neighborhoods& neighborhoods,
                            const FeatureOptions& feature_options,
                            const PositionUpdateOptions& options, const Execution& execution) {
+  return sweep_together(original, points, normals, neighborhoods, feature_options, options, nullptr,
+                        execution);
+}
+
+FeatureField sweep_together(Points original, std::vector<Vec3>& points, Normals normals,
+                            const Neighborhoods& neighborhoods,
+                            const FeatureOptions& feature_options,
+                            const PositionUpdateOptions& options, NextNormals* next,
+                            const Execution& execution) {
   validate(original, points, normals, neighborhoods, options);
   validate(feature_options);
+  const std::vector<Row> point_rows = make_rows(points, execution);
+  const std::vector<Row> normal_rows = make_rows(normals, execution);
+  if (next != nullptr) next->normals.resize(points.size());
+  const Sweep sweep{
+      original, {point_rows.data(), normal_rows.data()}, feature_options, options, next};
   FeatureField field{std::vector<Feature>(points.size()), std::vector<Vec3>(points.size())};
-  std::vector<Vec3> moved(points.size());
-  parallel_for(points.size(), execution, [&](std::size_t i) {
-    const PointClass c = classify_point(i, points, normals, neighborhoods[i], feature_options);
-    moved[i] = move_point(i, original[i], points, normals, c, neighborhoods[i], options);
-    field.label[i] = c.label;
-    field.direction[i] = c.direction;
+  parallel_blocks(points.size(), execution, [&](std::size_t begin, std::size_t end) {
+    std::array<std::uint32_t, lane_count> batch{};
+    for (std::size_t from = begin; from < end; from += lane_count) {
+      const std::size_t count = std::min(lane_count, end - from);
+      for (std::size_t l = 0; l < count; ++l) batch[l] = static_cast<std::uint32_t>(from + l);
+      const auto near = [&](std::size_t l) { return neighborhoods[from + l]; };
+      sweep.move({batch.data(), count}, near, field,
+                 [&](std::size_t i, const Vec3& moved) { points[i] = moved; });
+    }
   });
-  points = std::move(moved);
   return field;
 }
+
+namespace {
+
+/// Moves batches of points in place: batch(k) gives the k-th of them, and near(k, l) the neighbours
+/// of its l-th point.
+template <typename Batch, typename Near>
+FeatureField sweep_batches(std::size_t count, const Batch& batch, const Near& near, Points original,
+                           std::vector<Vec3>& points, Normals normals,
+                           const Neighborhoods& neighborhoods,
+                           const FeatureOptions& feature_options,
+                           const PositionUpdateOptions& options, NextNormals* next,
+                           const Execution& execution) {
+  validate(original, points, normals, neighborhoods, options);
+  validate(feature_options);
+  std::vector<Row> point_rows = make_rows(points, execution);
+  const std::vector<Row> normal_rows = make_rows(normals, execution);
+  if (next != nullptr) next->normals.resize(points.size());
+  const Sweep sweep{
+      original, {point_rows.data(), normal_rows.data()}, feature_options, options, next};
+  FeatureField field{std::vector<Feature>(points.size(), Feature::Isolated),
+                     std::vector<Vec3>(points.size())};
+  constexpr std::size_t stretch = block_size / lane_count;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (k % stretch == 0) {
+      check_cancelled(execution);
+      if (execution.progress) {
+        execution.progress({"", static_cast<double>(k) / static_cast<double>(count)});
+      }
+    }
+    sweep.move(
+        batch(k), [&](std::size_t l) { return near(k, l); }, field,
+        [&](std::size_t i, const Vec3& moved) {
+          points[i] = moved;
+          point_rows[i] = Row(moved);
+        });
+  }
+  return field;
+}
+
+}  // namespace
 
 FeatureField sweep_in_place(Points original, std::vector<Vec3>& points, Normals normals,
                             const Neighborhoods& neighborhoods,
                             const FeatureOptions& feature_options,
                             const PositionUpdateOptions& options,
                             std::span<const std::uint32_t> order, const Execution& execution) {
-  validate(original, points, normals, neighborhoods, options);
-  validate(feature_options);
-  FeatureField field{std::vector<Feature>(points.size(), Feature::Isolated),
-                     std::vector<Vec3>(points.size())};
-  const std::size_t count = order.empty() ? points.size() : order.size();
-  for (std::size_t at = 0; at < count; ++at) {
-    if (at % block_size == 0) {
-      check_cancelled(execution);
-      if (execution.progress) {
-        execution.progress({"", static_cast<double>(at) / static_cast<double>(count)});
-      }
-    }
-    const std::size_t i = order.empty() ? at : order[at];
-    require(i < points.size(), "order", "made of indices of points", i);
-    const PointClass c = classify_point(i, points, normals, neighborhoods[i], feature_options);
-    points[i] = move_point(i, original[i], points, normals, c, neighborhoods[i], options);
-    field.label[i] = c.label;
-    field.direction[i] = c.direction;
+  require(points.size() <= std::numeric_limits<std::uint32_t>::max(), "points", "fewer than 2^32",
+          points.size());
+  std::vector<std::uint32_t> by_index;
+  if (order.empty()) {
+    by_index.resize(points.size());
+    std::iota(by_index.begin(), by_index.end(), 0U);
+    order = by_index;
   }
-  return field;
+  for (const std::uint32_t i : order) {
+    require(i < points.size(), "order", "made of indices of points", i);
+  }
+  return sweep_batches(
+      order.size(), [&](std::size_t at) { return order.subspan(at, 1); },
+      [&](std::size_t at, std::size_t) { return neighborhoods[order[at]]; }, original, points,
+      normals, neighborhoods, feature_options, options, nullptr, execution);
+}
+
+FeatureField sweep_along(const SweepPlan& plan, Points original, std::vector<Vec3>& points,
+                         Normals normals, const FeatureOptions& feature_options,
+                         const PositionUpdateOptions& options, NextNormals* next,
+                         const Execution& execution) {
+  const auto begin = [&](std::size_t k) { return k > 0 ? plan.ends[k - 1] : 0; };
+  return sweep_batches(
+      plan.ends.size(),
+      [&](std::size_t k) {
+        return std::span(plan.order).subspan(begin(k), plan.ends[k] - begin(k));
+      },
+      [&](std::size_t k, std::size_t l) { return plan.neighborhoods[begin(k) + l]; }, original,
+      points, normals, plan.neighborhoods, feature_options, options, next, execution);
 }
 
 }  // namespace deburr

@@ -8,6 +8,7 @@
 #include "deburr/normals.hpp"
 #include "deburr/orientation.hpp"
 #include "parallel.hpp"
+#include "sweep.hpp"
 
 namespace deburr {
 namespace {
@@ -27,25 +28,27 @@ RoundReport measure(Points before, Points after, const WorkingSet& set) {
   return {set.length(std::sqrt(squares / count)), set.length(std::sqrt(largest))};
 }
 
-std::vector<Vec3> first_normals(Points points, std::size_t k, const Execution& execution) {
-  const Neighborhoods nearest =
-      find_neighbors(points, {.max_count = k}, sub_execution(execution, "normals", 0, 0.5));
+std::vector<Vec3> first_normals(Points points, const Neighborhoods& nearest,
+                                const Execution& execution) {
   return orient_normals(
-      points, estimate_normals(points, nearest, sub_execution(execution, "normals", 0.5, 0.6)),
+      points, estimate_normals(points, nearest, sub_execution(execution, "normals", 0, 0.5)),
       nearest, execution);
 }
 
 }  // namespace
 
-void run_published(const Yadav2018Options& options, const Schedule& schedule, const WorkingSet& set,
+void run_published(const Neighborhoods& nearest, const Schedule& schedule, const WorkingSet& set,
                    bool keep_normals, State& state, Report& report, StageClock& clock,
                    const Execution& execution) {
   state.normals = clock.time("first normals", [&] {
     return keep_normals ? set.normals
-                        : first_normals(set.points, options.k,
+                        : first_normals(set.points, nearest,
                                         sub_execution(execution, "normals", 0, prepared));
   });
   Neighborhoods neighborhoods;
+  SweepPlan plan;
+  // The filter of a round compares the neighbours as the movement of the round before does.
+  const bool fused = !schedule.rebuild;
   for (int round = 0; round < schedule.rounds; ++round) {
     const Execution part =
         sub_execution(execution, "rounds", prepared + (1 - prepared) * round / schedule.rounds,
@@ -56,19 +59,31 @@ void run_published(const Yadav2018Options& options, const Schedule& schedule, co
         return find_neighbors(state.points, schedule.neighbors, quiet);
       });
     }
-    state.normals = clock.time("normal filter", [&] {
-      return filter_normals(state.normals, neighborhoods, schedule.normal_filter,
-                            round == 0 ? schedule.voteless_at_first : Voteless::Keep, quiet);
-    });
+    if (round == 0 || !fused) {
+      state.normals = clock.time("normal filter", [&] {
+        return filter_normals(state.normals, neighborhoods, schedule.normal_filter,
+                              round == 0 ? schedule.voteless_at_first : Voteless::Keep, quiet);
+      });
+    }
+    // Within a radius neighbours are mutual.
+    if (schedule.in_place && (round == 0 || schedule.rebuild)) {
+      plan =
+          clock.time("neighbourhoods", [&] { return plan_sweep(neighborhoods, set.sweep, quiet); });
+      neighborhoods = {};  // the plan has them
+    }
+    const bool last = round + 1 == schedule.rounds;
+    NextNormals next{.filter = schedule.normal_filter, .normals = {}};
+    NextNormals* const wanted = fused && !last ? &next : nullptr;
     std::vector<Vec3> moved = state.points;
     state.labels = clock.time("features and positions", [&] {
       FeatureField field = schedule.in_place
-                               ? sweep_in_place(set.points, moved, state.normals, neighborhoods,
-                                                schedule.features, schedule.update, set.sweep, part)
-                               : sweep_at_once(set.points, moved, state.normals, neighborhoods,
-                                               schedule.features, schedule.update, part);
+                               ? sweep_along(plan, set.points, moved, state.normals,
+                                             schedule.features, schedule.update, wanted, part)
+                               : sweep_together(set.points, moved, state.normals, neighborhoods,
+                                                schedule.features, schedule.update, wanted, part);
       return std::move(field.label);
     });
+    if (wanted != nullptr) state.normals = std::move(next.normals);
     report.rounds.push_back(measure(state.points, moved, set));
     state.points = std::move(moved);
   }

@@ -16,9 +16,10 @@ struct State {
 };
 
 /// The rounds of the published method: filter the normals, classify the points, move them.
+/// @param nearest  of each point, for the first normals
 /// @param keep_normals  whether to start from those of the set
 /// @param[in,out] report  gets what each round moved
-void run_published(const Yadav2018Options& options, const Schedule& schedule, const WorkingSet& set,
+void run_published(const Neighborhoods& nearest, const Schedule& schedule, const WorkingSet& set,
                    bool keep_normals, State& state, Report& report, StageClock& clock,
                    const Execution& execution);
 

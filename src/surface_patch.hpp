@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "deburr/vec3.hpp"
@@ -30,6 +31,9 @@ class PatchFitter {
 
   /// The patch of the `count` points nearest to `place`, which is moved onto the surface.
   SurfacePatch fit(Vec3& place, std::size_t count);
+
+  /// The points that the last patch was fitted to, heights over the plane across it.
+  [[nodiscard]] std::span<const Vec3> members() const { return local_; }
 
   /// The heights over the last patch of all points across it that are among the `count` nearest to
   /// its middle, also those far off, which fit() leaves out.

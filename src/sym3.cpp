@@ -9,16 +9,6 @@
 namespace deburr {
 namespace {
 
-/// Each rotation squares what is left off the diagonal, so that few sweeps are ever needed.
-constexpr int most_sweeps = 20;
-
-/// Off-diagonal entries below this share of the trace no longer turn the eigenvectors.
-constexpr double negligible = 1e-20;
-
-/// The first sweeps leave entries alone that are small beside the sum of all (Rutishauser 1966).
-constexpr int coarse_sweeps = 3;
-constexpr double coarse_share = 0.2 / 9;
-
 /// Rotates a_pq to zero in the plane of axes p and q; r is the third axis.
 void rotate(double& app, double& aqq, double& apq, double& arp, double& arq, Vec3& vp, Vec3& vq) {
   const double theta = (aqq - app) / (2 * apq);
@@ -39,6 +29,7 @@ void rotate(double& app, double& aqq, double& apq, double& arp, double& arq, Vec
 }  // namespace
 
 Spectrum spectrum(const Sym3& m, double tolerance) {
+  using namespace jacobi;
   Sym3 a = m;
   Spectrum s{{}, {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}};
   auto& [u, v, w] = s.vectors;

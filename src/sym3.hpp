@@ -45,6 +45,21 @@ struct Spectrum {
   std::array<Vec3, 3> vectors;
 };
 
+// How the decomposition goes, in one matrix as in eight at a time.
+namespace jacobi {
+
+/// Each rotation squares what is left off the diagonal, so that few sweeps are ever needed.
+inline constexpr int most_sweeps = 20;
+
+/// Off-diagonal entries below this share of the trace no longer turn the eigenvectors.
+inline constexpr double negligible = 1e-20;
+
+/// The first sweeps leave entries alone that are small beside the sum of all (Rutishauser 1966).
+inline constexpr int coarse_sweeps = 3;
+inline constexpr double coarse_share = 0.2 / 9;
+
+}  // namespace jacobi
+
 /// Decomposes by cyclic Jacobi rotations until the off-diagonal entries sum to no more than
 /// `tolerance`, or to nothing beside the trace. The QR iteration of Eigen is not accurate enough
 /// here: to 1e-11 only where two eigenvalues are close.

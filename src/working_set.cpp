@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "box.hpp"
+#include "near_duplicates.hpp"
 #include "spatial_order.hpp"
 #include "unit.hpp"
 
@@ -39,6 +40,34 @@ Vec3 choose_normal(const Vec3& a, const Vec3& b) {
   const Vec3 p = points_down(a) ? -a : a;
   const Vec3 q = points_down(b) ? -b : b;
   return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z) ? p : q;
+}
+
+/// Leaves out the points that another one stands for; it gets their normal if it has none.
+void merge_near_duplicates(WorkingSet& set, const Execution& execution) {
+  const std::vector<std::uint32_t> standing = find_near_duplicates(set.points, execution);
+  if (standing.empty()) return;
+  std::vector<std::uint32_t> place(standing.size());
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < standing.size(); ++i) {
+    if (standing[i] == i) {
+      place[i] = kept++;
+      set.points[place[i]] = set.points[i];
+      if (!set.normals.empty()) set.normals[place[i]] = set.normals[i];
+    } else {  // the one that stands for it comes earlier
+      place[i] = place[standing[i]];
+      if (set.normals.empty()) continue;
+      set.normals[place[i]] = choose_normal(set.normals[place[i]], set.normals[i]);
+    }
+  }
+  set.points.resize(kept);
+  if (!set.normals.empty()) set.normals.resize(kept);
+  std::size_t counted = 0;
+  for (std::uint32_t& slot : set.slot) {
+    if (slot == WorkingSet::none) continue;
+    slot = place[slot];
+    ++counted;
+  }
+  set.duplicates = counted - kept;
 }
 
 /// Moves and scales points (by a power of two, which is exact); returns the exponent.
@@ -86,8 +115,12 @@ WorkingSet make_working_set(const PointCloud& cloud, const WorkingSetOptions& op
     set.slot[finite[c]] = static_cast<std::uint32_t>(set.points.size() - 1);
   }
   if (cloud.normals.empty()) set.normals = {};
+  if (options.local_coordinates && !set.points.empty()) {
+    set.exponent = make_local(set.points);
+    // In local coordinates, where no square overflows.
+    if (options.merge_duplicates) merge_near_duplicates(set, execution);
+  }
   for (const std::uint32_t i : finite) set.sweep.push_back(set.slot[i]);
-  if (options.local_coordinates && !set.points.empty()) set.exponent = make_local(set.points);
   return set;
 }
 

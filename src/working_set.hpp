@@ -13,7 +13,8 @@ namespace deburr {
 
 /// Which points of a cloud are worked on, and in which coordinates.
 struct WorkingSetOptions {
-  bool merge_duplicates = true;   ///< points at the same place become one
+  /// Points at the same place become one; in local coordinates those nearly there as well.
+  bool merge_duplicates = true;
   bool local_coordinates = true;  ///< about the middle of the cloud, its half extent in [1, 2)
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -90,6 +91,10 @@ TEST(KeepPoints, IsWhatDenoiseDoesWhereItIsToRemove) {
   ASSERT_GT(labelled.report.outliers, 30U);
   EXPECT_EQ(removed.report.outliers, labelled.report.outliers);
   EXPECT_EQ(removed.report.points, cloud.size());
+  EXPECT_EQ(removed.report.kept, removed.cloud.size());
+  EXPECT_EQ(labelled.report.kept, cloud.size());
+  EXPECT_EQ(std::accumulate(removed.report.labels.begin(), removed.report.labels.end(), 0U),
+            cloud.size());
   ASSERT_EQ(removed.cloud.size(), cloud.size() - labelled.report.outliers);
   ASSERT_EQ(removed.cloud.normals.size(), removed.cloud.size());
   ASSERT_EQ(removed.labels.size(), removed.cloud.size());
@@ -122,6 +127,7 @@ TEST(KeepPoints, RemovesNothingByThePublishedMethod) {
                                                .automatic = {.outliers = OutlierAction::Remove},
                                                .yadav2018 = {.rounds = 1}});
   EXPECT_EQ(result.cloud.size(), cloud.size());
+  EXPECT_EQ(result.report.kept, cloud.size());
   EXPECT_THAT(result.outliers, Each(0));
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lanes.hpp"
+#include "rows.hpp"
 #include "support/shapes.hpp"
 
 namespace deburr {
@@ -36,6 +37,22 @@ TEST(Lanes, LoadFillsTheRestWithZero) {
     EXPECT_EQ(full.y[l], values[list[l]].y);
     EXPECT_EQ(rest.x[l], l < 3 ? values[list[8 + l]].x : 0);
     EXPECT_EQ(there[l], l < 3 ? 1 : 0);
+  }
+}
+
+TEST(Rows, LoadsWhatTheVectorsHold) {
+  const std::vector<Vec3> values = random_points(30, 2);
+  const std::vector<Row> rows = make_rows(values, {});
+  for (std::size_t size = 1; size <= 17; ++size) {
+    std::vector<std::uint32_t> list;
+    for (std::uint32_t k = 0; k < size; ++k) list.push_back(7 * k % 30);
+    for (std::size_t from = 0; from < size; from += lane_count) {
+      const Lanes3 expected = load(values, list, from);
+      const Lanes3 loaded = load(rows.data(), list, from);
+      for (std::size_t l = 0; l < lane_count; ++l) {
+        EXPECT_EQ(lane(loaded, l), lane(expected, l)) << size << ' ' << from << ' ' << l;
+      }
+    }
   }
 }
 

@@ -60,14 +60,26 @@ TEST(Threshold, IsStrictWhereNothingStandsOut) {
   EXPECT_NEAR(score_threshold(scores), 6, 0.2);
 }
 
-TEST(Threshold, ComesDownWhereOutliersAreMany) {
-  std::vector<double> scores;
+// As many points of the surface are flagged as outliers stay.
+TEST(Threshold, DependsOnHowDenseOutliersAre) {
+  std::vector<double> noise;
   Random random(8);
-  for (int i = 0; i < 20000; ++i) scores.push_back(std::abs(random.gaussian()));
-  for (int i = 0; i < 1400; ++i) scores.push_back(100 * random.uniform());
-  scores.push_back(std::numeric_limits<double>::infinity());
-  // 20000 erfc(3.05 / sqrt 2) = 46 points by chance, 3.5 % of 1400 = 49 allowed.
-  EXPECT_NEAR(score_threshold(scores), 3.1, 0.15);
+  for (int i = 0; i < 20000; ++i) noise.push_back(std::abs(random.gaussian()));
+  const auto threshold = [&](double factor, double reach) {
+    std::vector<double> scores = noise;
+    for (double& s : scores) s *= factor;
+    for (int i = 0; i < 1400; ++i) scores.push_back(reach * random.uniform());
+    scores.push_back(std::numeric_limits<double>::infinity());
+    return score_threshold(scores);
+  };
+  // 14 in each unit of the score: 20000 erfc(3.07 / sqrt 2) = 43 = 14 * 3.07.
+  EXPECT_NEAR(threshold(1, 100), 3.07, 0.12);
+  EXPECT_NEAR(threshold(1, 1000), 3.63, 0.15);
+  // Scores that are too large, or too small, by a factor.
+  EXPECT_NEAR(threshold(1.5, 150), 1.5 * 3.07, 0.25);
+  EXPECT_NEAR(threshold(0.85, 85), 0.85 * 3.07, 0.12);
+  // So dense that noise hides a third: 4 % of the others are 39 = 20000 erfc(3.1 / sqrt 2).
+  EXPECT_NEAR(threshold(1, 10), 3.1, 0.15);
 }
 
 TEST(Groups, TellSurfaceFromCrumbs) {

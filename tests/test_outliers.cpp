@@ -49,6 +49,17 @@ TEST(FindOutliers, FindsThoseAroundASphere) {
   }
 }
 
+// No more points of the surface are lost than outliers stay, where the noise hides few.
+TEST(FindOutliers, LosesFewPointsWhereNoiseHidesFewOutliers) {
+  for (const double noise : {0.0025, 0.005}) {
+    const Spoiled cloud = spoil(sphere(cloud_size, 2).points, sphere_spacing, noise * diagonal, 3,
+                                distance_to_sphere);
+    const Agreement found = agreement(find_outliers(cloud.points), cloud.outlier);
+    EXPECT_GE(found.recall, 0.975) << noise;
+    EXPECT_GE(found.precision, 0.975) << noise;
+  }
+}
+
 TEST(FindOutliers, FindsEveryPointOfDenseFloaters) {
   const Spoiled cloud = spoiled_cube(0.0025, 4);
   const std::vector<std::uint8_t> flags = find_outliers(cloud.points);

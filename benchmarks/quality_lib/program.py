@@ -8,6 +8,8 @@ import subprocess
 import sys
 import time
 
+from . import ply
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DEFAULT = ROOT / "build/release/deburr"
 BUILD = ('. scripts/common.sh; start_log quality; install_missing "${build_packages[@]}"; '
@@ -72,6 +74,12 @@ class Program:
         start = time.perf_counter()
         told = self.run("denoise", noisy, out, *shlex.split(options))
         return out, told, time.perf_counter() - start
+
+    def distances(self, scan):
+        """Distance of every noisy point of a scan from its true surface."""
+        out = self.folder / "distances.ply"
+        self.compare(scan.noisy, scan, "--distances", out)
+        return ply.read(out)[0]["deburr_distance"]
 
     def compare(self, cloud, scan, *options):
         """Figures of a cloud against the truth of a scan."""

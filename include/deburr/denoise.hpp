@@ -54,7 +54,8 @@ struct AutoOptions {
   /// assumed larger by a factor of sqrt(2), 3 is the estimate.
   int strength = 3;
   double noise = 0;     ///< standard deviation of the noise, input units, >= 0; 0 to estimate it
-  double max_move = 0;  ///< no point moves farther, input units, >= 0; 0 for 4 times the noise
+  double max_move = 0;  ///< no point moves farther, input units, >= 0; 0 for 4 times the noise,
+                        ///< less between sheets that lie close over each other
   OutlierAction outliers = OutlierAction::Label;
 };
 
@@ -82,14 +83,19 @@ struct StageTime {
 struct Report {
   std::size_t points = 0;
   std::size_t non_finite = 0;  ///< points with a NaN or infinite coordinate; written back as is
-  std::size_t duplicates = 0;  ///< points at the very place of an earlier one
-  std::size_t outliers = 0;    ///< points found to be no part of the surface
-  double spacing = 0;          ///< dbar, input units
-  double noise = 0;            ///< standard deviation of the noise as assumed, input units
-  double max_move = 0;         ///< the bound on the movement that was used, input units
-  bool kept_normals = false;   ///< whether the first normals came from the cloud
-  std::array<std::size_t, 4> labels{};  ///< points per Feature, in its order
-  std::vector<RoundReport> rounds;      ///< of Method::Yadav2018
+  /// Points at the very place of an earlier one; by Method::Auto also those within about a
+  /// thousandth of the spacing, where they are a thousandth of all or more. They move as that one
+  /// does.
+  std::size_t duplicates = 0;
+  std::size_t outliers = 0;             ///< points found to be no part of the surface
+  double spacing = 0;                   ///< dbar, input units
+  double noise = 0;                     ///< standard deviation of the noise as assumed, input units
+  double max_move = 0;                  ///< the bound on the movement that was used, input units
+  bool kept_normals = false;            ///< whether the first normals came from the cloud
+  std::array<std::size_t, 4> labels{};  ///< of `points`, those per Feature, in its order
+  /// Points of the result: all, or all but the outliers where these are removed.
+  std::size_t kept = 0;
+  std::vector<RoundReport> rounds;  ///< of Method::Yadav2018
   std::vector<StageTime> stages;
 };
 

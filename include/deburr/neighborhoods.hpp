@@ -43,7 +43,8 @@ class Neighborhoods {
   std::vector<std::uint32_t> indices_;
 };
 
-/// Finds the neighbours of every point, exactly, with a k-d tree.
+/// Finds the neighbours of every point, exactly: within a radius with a grid of cells where that
+/// pays, else with a k-d tree.
 ///
 /// A cloud with fewer than max_count + 1 points gives every point all the others. Duplicates are
 /// neighbours at distance 0.

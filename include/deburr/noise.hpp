@@ -14,6 +14,9 @@ struct NoiseEstimate {
   double sigma = 0;    ///< standard deviation of the noise across the surface, >= 0
   double spacing = 0;  ///< square root of the area of the surface per point, >= 0
   double reach = 0;    ///< radius about a point within which noise can be told from surface, >= 0
+  /// Distance of two sheets that lie over each other in most of the cloud, so close that they look
+  /// like one with more noise; 0 where there is no evidence of them.
+  double gap = 0;
 };
 
 /// Estimates the noise from the points alone: the variance about quadrics that are fitted to
@@ -39,7 +42,8 @@ struct LocalNoise {
 /// Estimates noise and spacing at each point, for clouds in which they differ from place to place,
 /// as where noise grows with the distance from the scanner. They vary smoothly, over about a
 /// hundredth of the surface or ten patches, whatever is more. Differences of less than a fifth are
-/// not believed. A point that is not finite has the overall values.
+/// not believed. A point that is not finite has the overall values, and so have all where
+/// overall.gap > 0.
 [[nodiscard]] LocalNoise estimate_local_noise(Points points, const Execution& execution = {});
 
 }  // namespace deburr

@@ -45,9 +45,10 @@ TEST_F(CliTest, DenoiseWritesWhatTheLibraryReturns) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, IsEmpty());
   EXPECT_THAT(outcome.err, HasSubstr("in.ply: 2000 points, spacing"));
-  EXPECT_THAT(outcome.err,
-              HasSubstr("written to out.ply with nx ny nz deburr_label deburr_displacement "
-                        "deburr_outlier"));
+  EXPECT_THAT(
+      outcome.err,
+      HasSubstr("2000 points written to out.ply with nx ny nz deburr_label deburr_displacement "
+                "deburr_outlier"));
 
   const DenoiseResult expected = denoise(cloud);
   const PointCloud written = read_cloud("out.ply");
@@ -93,10 +94,10 @@ TEST_F(CliTest, DenoiseHandsTheOptionsOfTheDefaultMethodOn) {
   const PointCloud cloud =
       synthesize_part({.points = 1500, .noise = 0.004, .outliers = 0.05}).cloud;
   write_cloud("in.ply", cloud);
-  ASSERT_EQ(run_program({"denoise", "in.ply", "out.ply", "--strength", "4", "--max-move", "0.75",
-                         "--noise", "0.4", "--outliers", "remove"})
-                .exit_code,
-            0);
+  const Outcome outcome =
+      run_program({"denoise", "in.ply", "out.ply", "--strength", "4", "--max-move", "0.75",
+                   "--noise", "0.4", "--outliers", "remove", "--report", "report.json"});
+  ASSERT_EQ(outcome.exit_code, 0);
   const DenoiseOptions options{
       .automatic = {
           .strength = 4, .noise = 0.4, .max_move = 0.75, .outliers = OutlierAction::Remove}};
@@ -104,6 +105,11 @@ TEST_F(CliTest, DenoiseHandsTheOptionsOfTheDefaultMethodOn) {
   EXPECT_TRUE(read_cloud("out.ply").points == expected.cloud.points);
   EXPECT_GT(expected.report.outliers, 10U);
   EXPECT_EQ(expected.cloud.size(), cloud.size() - expected.report.outliers);
+  const json summary = json::parse(read_text("report.json"));
+  EXPECT_EQ(summary["points"], cloud.size());
+  EXPECT_EQ(summary["kept"], expected.cloud.size());
+  EXPECT_THAT(outcome.err,
+              HasSubstr(std::to_string(expected.cloud.size()) + " points written to out.ply"));
 }
 
 TEST_F(CliTest, DenoiseMarksOutliersWhereItIsAsked) {
@@ -207,6 +213,7 @@ TEST_F(CliTest, DenoiseTellsItsSummaryAsJson) {
   EXPECT_EQ(summary["labels"]["surface"], expected.report.labels[0]);
   EXPECT_EQ(summary["options"]["method"], "auto");
   EXPECT_EQ(summary["outliers"], expected.report.outliers);
+  EXPECT_EQ(summary["kept"], 500);
   EXPECT_EQ(summary["options"]["strength"], AutoOptions{}.strength);
   EXPECT_EQ(summary["options"]["max_move"], AutoOptions{}.max_move);
   EXPECT_EQ(summary["options"]["noise"], AutoOptions{}.noise);
@@ -238,6 +245,7 @@ TEST_F(CliTest, CloudsWithoutAFinitePointAreWrittenUnchanged) {
   write_cloud("nan.ply", cloud);
   for (const std::string name : {"empty.ply", "nan.ply"}) {
     const Outcome outcome = run_program({"denoise", name, "out.ply"});
+    EXPECT_THAT(outcome.err, HasSubstr(name == "nan.ply" ? "\n3 points written" : "\n0 points"));
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_THAT(outcome.err, HasSubstr("warning: " + name + ": no point is finite"));
     EXPECT_EQ(read_text("out.ply"), read_text(name));

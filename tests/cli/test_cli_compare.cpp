@@ -200,6 +200,27 @@ TEST_F(CliCompare, SkipsWhatTheCloudItselfCallsAnOutlier) {
             offset_error(rest.points, clean_rest, std::vector<Vec3>(2000, {0, 0.6, 0.8}), 1).mean);
 }
 
+TEST_F(CliCompare, WritesTheDistanceOfEveryPoint) {
+  add_field(cloud_, "deburr_distance", std::vector<float>(3000, 7));
+  const auto distances = [](const std::string& file) {
+    const std::vector<Attribute> fields = read_cloud(file).attributes;
+    EXPECT_EQ(fields.size(), 1U);
+    return std::get<std::vector<double>>(fields.at(0).values);
+  };
+  EXPECT_EQ(figures({"truth.ply", "--distances", "far.ply"})["count"], 3000);
+  EXPECT_EQ(read_cloud("far.ply").points, cloud_.points);
+  EXPECT_EQ(distances("far.ply"), distance_to_surface(cloud_.points, truth_));
+  (void)figures({"clean.ply", "--distances", "far.ply"});
+  EXPECT_EQ(distances("far.ply"), distance_to_cloud(cloud_.points, clean_.points));
+  // Text has no types: names in a first line tell which column it is.
+  (void)figures({"truth.ply", "--distances", "far.csv"});
+  EXPECT_THAT(read_text("far.csv"), HasSubstr("deburr_distance"));
+  EXPECT_EQ(
+      run_program({"compare", "cloud.ply", "--truth", "truth.ply", "--distances", "truth.ply"})
+          .exit_code,
+      2);
+}
+
 TEST_F(CliCompare, WarnsOfWhatWasAskedForAndIsNotThere) {
   write_cloud("cloud.ply", cloud_);
   write_cloud("short.ply", synthesize_part({.points = 10}).cloud);

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "deburr/normal_filter.hpp"
+#include "deburr/position_update.hpp"
+#include "sweep_plan.hpp"
+
+namespace deburr {
+
+/// The normals of the next round: filter_normals of those of this round, found in the pass over the
+/// neighbours that moves the points. Votes are given as points are compared, so rho must be that of
+/// FeatureOptions. Points without a vote keep their normal.
+struct NextNormals {
+  NormalFilterOptions filter;
+  std::vector<Vec3> normals;
+};
+
+/// sweep_at_once.
+/// @param[out] next  null if it is not wanted
+FeatureField sweep_together(Points original, std::vector<Vec3>& points, Normals normals,
+                            const Neighborhoods& neighborhoods,
+                            const FeatureOptions& feature_options,
+                            const PositionUpdateOptions& options, NextNormals* next,
+                            const Execution& execution);
+
+/// sweep_in_place over all points, along a plan that was made for its order.
+/// @param[out] next  null if it is not wanted
+FeatureField sweep_along(const SweepPlan& plan, Points original, std::vector<Vec3>& points,
+                         Normals normals, const FeatureOptions& feature_options,
+                         const PositionUpdateOptions& options, NextNormals* next,
+                         const Execution& execution);
+
+}  // namespace deburr
