@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "corners.hpp"
@@ -58,7 +59,7 @@ NodeLevels make_levels(const AutomaticInput& input, Points measured, Points plac
 /// The node whose sheet stands for a point: its own, unless that is far less sure than those
 /// around. Then the own normal was none of a surface, and the nearest sure sheet that the noise
 /// lets the point be of takes its place.
-std::uint32_t surer(const Vec3& point, std::uint32_t own, std::span<const Found> near,
+std::uint32_t surer(const Vec3& point, const Vec3& normal, std::uint32_t own, std::span<const Found> near,
                     std::span<const Sheet> sheets, double noise, std::vector<double>& variances) {
   constexpr double most_ratio = 3;
   constexpr double most_noises = 3;
@@ -71,6 +72,13 @@ std::uint32_t surer(const Vec3& point, std::uint32_t own, std::span<const Found>
   std::ranges::nth_element(variances, quarter);
   const double most = most_ratio * *quarter;
   if (sheets[own].valid && sheets[own].variance <= most) return own;
+  if (!sheets[own].valid && getenv("NO")) {
+    for (const Found& f : near) {
+      const Sheet& sheet = sheets[f.index];
+      if (!sheet.valid || sheet.variance > most || dot(sheet.frame.w, normal) < 0.8) continue;
+      if (std::abs(sheet.meet(point).distance) <= most_noises * noise) return f.index;
+    }
+  }
   for (const Found& f : near) {
     const Sheet& sheet = sheets[f.index];
     if (!sheet.valid || sheet.variance > most) continue;
@@ -98,7 +106,7 @@ Shares land(const AutomaticInput& input, const NodeLevels& levels, std::span<con
     for (std::size_t i = begin; i < end; ++i) {
       std::uint32_t own = levels.nodes(0).of[i];
       levels.tree(0).nearest_to(result.points[i], blended, infinity, near);
-      if (!near.empty()) own = surer(input.points[i], own, near, sheets, input.noise, variances);
+      if (!near.empty()) own = surer(input.points[i], result.normals[i], own, near, sheets, input.noise, variances);
       const Blend blend =
           blend_sheets(input.points[i], result.points[i], own, near, sheets, scales);
       // Without a fit the place so far is the best that is known.
@@ -183,7 +191,7 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
                       for (std::size_t i = begin; i < end; ++i) {
                         const auto node = static_cast<std::uint32_t>(i);
                         if (i % survey_step != 0) {
-                          sheets[i] = surveyor.fit(node, scratch, small);
+                          if (!getenv("SKIP1")) sheets[i] = surveyor.fit(node, scratch, small);
                           continue;
                         }
                         const std::size_t at = i / survey_step;
@@ -209,6 +217,9 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
                     [&](std::size_t begin, std::size_t end) {
                       SheetFitter::Scratch scratch;
                       for (std::size_t i = begin; i < end; ++i) {
+                        static const std::size_t T = getenv("T") ? atoi(getenv("T")) : 0;
+                        static const std::size_t ST = getenv("ST") ? atoi(getenv("ST")) : 4;
+                        if (choices[i].scale >= T && i % ST != 0) continue;
                         sheets[i] = fitter.fit(static_cast<std::uint32_t>(i), scratch, choices[i]);
                       }
                     });

@@ -13,8 +13,9 @@ namespace {
 
 constexpr std::uint32_t leaf_size = 12;
 
-/// Nearest points so few are kept in order as they come, which is faster than a heap.
-constexpr std::size_t longest_list = 64;
+/// Nearest points so few are kept in order as they come; of more, the farthest are dropped now and
+/// then.
+constexpr std::size_t longest_list = 24;
 
 constexpr std::uint32_t any_index = std::numeric_limits<std::uint32_t>::max();
 
@@ -86,30 +87,33 @@ void KdTree::nearest(const Vec3& at, std::uint32_t excluded, std::size_t count,
                      double squared_radius, std::vector<Found>& found) const {
   found.clear();
   if (count == 0 || nodes_.empty()) return;
-  // A list in order while it is short, else a max-heap with the worst in front.
-  const bool sorted = count <= longest_list;
   Found limit{squared_radius, any_index};
-  search(0, at, limit, [&](const Found& f) {
-    if (f.index == excluded || limit < f) return;
-    const bool full = found.size() == count;
-    if (sorted) {
-      if (full) found.pop_back();
+  if (count <= longest_list) {
+    search(0, at, limit, [&](const Found& f) {
+      if (f.index == excluded || limit < f) return;
+      if (found.size() == count) found.pop_back();
       std::size_t to = found.size();
       found.push_back(f);
       for (; to > 0 && f < found[to - 1]; --to) found[to] = found[to - 1];
       found[to] = f;
       if (found.size() == count) limit = found.back();
-      return;
-    }
-    if (full) {
-      std::pop_heap(found.begin(), found.end());
-      found.pop_back();
-    }
+    });
+    return;
+  }
+  const auto keep = static_cast<std::ptrdiff_t>(count);
+  const auto cut = [&] {
+    std::nth_element(found.begin(), found.begin() + keep - 1, found.end());
+    found.resize(count);
+    limit = found.back();
+  };
+  const std::size_t most = count + count / 2;
+  search(0, at, limit, [&](const Found& f) {
+    if (f.index == excluded || limit < f) return;
     found.push_back(f);
-    std::push_heap(found.begin(), found.end());
-    if (found.size() == count) limit = found.front();
+    if (found.size() == count || found.size() == most) cut();
   });
-  if (!sorted) std::sort_heap(found.begin(), found.end());
+  if (found.size() > count) cut();
+  std::sort(found.begin(), found.end());
 }
 
 void KdTree::within(const Vec3& at, std::uint32_t excluded, double squared_radius,

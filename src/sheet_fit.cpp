@@ -49,18 +49,6 @@ struct SheetFitter::Run {
   Sheet sheet;
   double low = -std::numeric_limits<double>::infinity();  ///< what the fits so far agree on
   double high = std::numeric_limits<double>::infinity();
-
-  /// Share with which a sample belongs to the surface found so far: 1 near it, 0 far from it,
-  /// level in between, so that the noise of the samples that belong is not cut off.
-  [[nodiscard]] double belonging(const Scratch::Sample& s, double reach) const {
-    const HeightQuadric& f = sheet.height;
-    const double a = f.slope_x(s.x, s.y);
-    const double b = f.slope_y(s.x, s.y);
-    const double cosine = 1 / std::sqrt(1 + a * a + b * b);
-    const double turn = squared_norm(s.normal - Vec3{-a * cosine, -b * cosine, cosine});
-    const double off = (s.place_height - f.height(s.x, s.y)) * cosine / reach;
-    return deburr::belonging(turn, off, normal_reach);
-  }
 };
 
 void SheetFitter::gather(Run& run, std::size_t level) const {
@@ -71,14 +59,14 @@ void SheetFitter::gather(Run& run, std::size_t level) const {
   const auto add = [&](std::uint32_t j, double square) {
     const Vec3 place = frame.local(nodes.places[j]);
     const Vec3& n = nodes.normals[j];
-    samples.push_back({place.x,
-                       place.y,
-                       dot(nodes.measured[j] - frame.origin, frame.w),
-                       place.z,
-                       nodes.weights[j],
-                       nodes.trust[j],
-                       square,
-                       {dot(n, frame.u), dot(n, frame.v), dot(n, frame.w)}});
+    samples.add({place.x,
+                 place.y,
+                 dot(nodes.measured[j] - frame.origin, frame.w),
+                 place.z,
+                 nodes.weights[j],
+                 nodes.trust[j],
+                 square,
+                 {dot(n, frame.u), dot(n, frame.v), dot(n, frame.w)}});
   };
   if (level == 0) add(run.node, 0);
   for (const Found& f : run.scratch.found) add(f.index, f.squared_distance);
@@ -100,7 +88,7 @@ Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& ch
   const double ratio = run.noise / levels_.spacing();
   const auto first = static_cast<std::size_t>(std::clamp(
       fewest_per_noise * ratio * ratio / fine.weights[i], fewest, double{fine_neighbors}));
-  double area = scratch.samples[std::min(first, scratch.samples.size() - 1)].square;
+  double area = scratch.samples.square(std::min(first, scratch.samples.size() - 1));
 
   for (std::size_t scale = 0; scale <= choice.scale; ++scale, area *= growth) {
     const std::size_t level = scale / level_scales;
@@ -114,15 +102,12 @@ Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& ch
       if (scratch.found.empty() || scratch.found.back().squared_distance < area) break;
       gather(run, level);
     }
-    const auto& samples = scratch.samples;
-    const bool last = !(area < samples.back().square);
-    if (last) area = samples.back().square;
+    SheetSamples& samples = scratch.samples;
+    const double farthest = samples.square(samples.size() - 1);
+    const bool last = !(area < farthest);
+    if (last) area = farthest;
     WeightedQuadric sums(std::sqrt(area));
-    for (const auto& s : samples) {
-      if (s.square > area) break;
-      const double w = (1 - 0.9 * s.square / area) * run.belonging(s, reach) * s.weight * s.trust;
-      if (w > 0) sums.add(s.x, s.y, s.height, w, s.weight);
-    }
+    samples.sum(samples.count_within(area), {sheet.height, area, reach, normal_reach}, sums);
     const std::size_t next = last ? (level + 1) * level_scales - 1 : scale;
     if (sums.count() < fewest_samples) {
       if (last && !sheet.valid) break;

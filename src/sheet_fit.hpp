@@ -10,6 +10,7 @@
 #include "kd_tree.hpp"
 #include "node_levels.hpp"
 #include "sheet.hpp"
+#include "sheet_samples.hpp"
 
 namespace deburr {
 
@@ -42,17 +43,8 @@ class SheetFitter {
 
   /// Buffers of one thread.
   struct Scratch {
-    struct Sample {
-      double x, y;          ///< in the plane
-      double height;        ///< of the measured position
-      double place_height;  ///< of the place
-      double weight;        ///< number of points
-      double trust;
-      double square;  ///< squared distance
-      Vec3 normal;    ///< in the frame
-    };
     std::vector<Found> found;
-    std::vector<Sample> samples;
+    SheetSamples samples;
   };
 
   /// Fits node i at every scale and tells how each fares.

@@ -4,6 +4,8 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 
 #include "quadric_fit.hpp"
 
@@ -18,27 +20,26 @@ class WeightedQuadric {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
   using Vector6 = Eigen::Matrix<double, 6, 1>;
 
+  static constexpr std::size_t terms = 6;     ///< 1, x, y, x^2, xy, y^2
+  static constexpr std::size_t moments = 15;  ///< products of two of them, up to y^4
+
+  /// Sums over samples.
+  struct Sums {
+    std::array<double, moments> normal{};  ///< of weights times products: 1, x, y, x^2, xy, y^2,
+                                           ///< x^3, x^2 y, x y^2, y^3, x^4, x^3 y, ..., y^4
+    std::array<double, moments> spread{};  ///< of w_k^2 / m_k times these
+    std::array<double, terms> right{};     ///< of weights times height times terms
+    double heights = 0;                    ///< of weights times squared height
+    double shares = 0;                     ///< of w_k / m_k
+    double share_squares = 0;              ///< of their squares
+    std::size_t count = 0;                 ///< of samples with a weight
+  };
+
   /// @param scale  coordinates are divided by it, so that all sums are of one order
   explicit WeightedQuadric(double scale) : scale_(scale) {}
 
-  void add(double x, double y, double height, double weight, double points) {
-    x /= scale_;
-    y /= scale_;
-    const Vector6 terms{1, x, y, x * x, x * y, y * y};
-    const Vector6 weighted = weight * terms;
-    const double share = weight / points;
-    for (int c = 0; c < 6; ++c) {
-      normal_.col(c).tail(6 - c) += terms(c) * weighted.tail(6 - c);
-      spread_.col(c).tail(6 - c) += share * terms(c) * weighted.tail(6 - c);
-    }
-    right_ += height * weighted;
-    heights_ += weight * height * height;
-    total_ += weight;
-    squares_ += weight * share;
-    shares_ += share;
-    share_squares_ += share * share;
-    ++count_;
-  }
+  [[nodiscard]] double scale() const { return scale_; }
+  [[nodiscard]] Sums& sums() { return sums_; }
 
   struct Solution {
     HeightQuadric surface;
@@ -53,18 +54,14 @@ class WeightedQuadric {
                            ///< variance 1 lets them take off
   };
 
-  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] std::size_t count() const { return sums_.count; }
   [[nodiscard]] Both solve() const;
 
  private:
   [[nodiscard]] Solution finish(double squares, double parameters) const;
 
   double scale_;
-  Matrix6 normal_ = Matrix6::Zero();  ///< lower triangles
-  Matrix6 spread_ = Matrix6::Zero();
-  Vector6 right_ = Vector6::Zero();
-  double heights_ = 0, total_ = 0, squares_ = 0, shares_ = 0, share_squares_ = 0;
-  std::size_t count_ = 0;
+  Sums sums_;
 };
 
 }  // namespace deburr
