@@ -4,16 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <limits>
 
-#include "corners.hpp"
-#include "crease.hpp"
 #include "kd_tree.hpp"
+#include "landing.hpp"
+#include "node_levels.hpp"
 #include "parallel.hpp"
 #include "pilot.hpp"
 #include "scale_choice.hpp"
-#include "sheet_blend.hpp"
 #include "sheet_fit.hpp"
 #include "surface_nodes.hpp"
 #include "unit.hpp"
@@ -24,28 +21,8 @@ namespace {
 /// Side of a node's cell where points are merged, in standard deviations of the noise.
 constexpr double node_cell = 1.0;
 
-/// Less of a point is not worth a place among the nodes of another sheet.
-constexpr double least_share = 0.02;
-
 /// Every so many-th node is fitted at all scales in the first pass.
 constexpr std::size_t survey_step = 3;
-
-constexpr std::size_t blended = 100;  ///< nodes around a point that its landing is made of
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Every point on the sheets that it may be of: first each on the likeliest, then what is left.
-struct Shares {
-  std::vector<Vec3> measured;
-  std::vector<Vec3> places;
-  std::vector<Vec3> normals;
-  std::vector<double> trust;
-};
-
-/// A point on a sheet that is not its likeliest.
-struct Other {
-  std::uint32_t point;
-  CutSheet sheet;
-};
 
 NodeLevels make_levels(const AutomaticInput& input, Points measured, Points places, Normals normals,
                        std::span<const double> trust, const Execution& execution) {
@@ -54,102 +31,6 @@ NodeLevels make_levels(const AutomaticInput& input, Points measured, Points plac
                                        : nodes_of_points(measured, places, normals, trust);
   const double per_node = static_cast<double>(measured.size()) / static_cast<double>(nodes.size());
   return {std::move(nodes), input.spacing * std::sqrt(per_node), input.noise, execution};
-}
-
-/// The node whose sheet stands for a point: its own, unless that is far less sure than those
-/// around. Then the own normal was none of a surface, and the nearest sure sheet that the noise
-/// lets the point be of takes its place.
-std::uint32_t surer(const Vec3& point, const Vec3& normal, std::uint32_t own, std::span<const Found> near,
-                    std::span<const Sheet> sheets, double noise, std::vector<double>& variances) {
-  constexpr double most_ratio = 3;
-  constexpr double most_noises = 3;
-  variances.clear();
-  for (const Found& f : near) {
-    if (sheets[f.index].valid) variances.push_back(sheets[f.index].variance);
-  }
-  if (variances.empty()) return own;
-  const auto quarter = variances.begin() + static_cast<std::ptrdiff_t>(variances.size() / 4);
-  std::ranges::nth_element(variances, quarter);
-  const double most = most_ratio * *quarter;
-  if (sheets[own].valid && sheets[own].variance <= most) return own;
-  if (!sheets[own].valid && getenv("NO")) {
-    for (const Found& f : near) {
-      const Sheet& sheet = sheets[f.index];
-      if (!sheet.valid || sheet.variance > most || dot(sheet.frame.w, normal) < 0.8) continue;
-      if (std::abs(sheet.meet(point).distance) <= most_noises * noise) return f.index;
-    }
-  }
-  for (const Found& f : near) {
-    const Sheet& sheet = sheets[f.index];
-    if (!sheet.valid || sheet.variance > most) continue;
-    if (std::abs(sheet.meet(point).distance) <= most_noises * noise) return f.index;
-  }
-  return own;
-}
-
-/// Lands every point on the sheets around it.
-Shares land(const AutomaticInput& input, const NodeLevels& levels, std::span<const Sheet> sheets,
-            AutomaticResult& result, const Execution& execution) {
-  const BlendScales scales{input.noise, levels.spacing()};
-  const CreaseFinder finder(sheets, scales, input.spacing);
-  Shares shares;
-  shares.measured.assign(input.points.begin(), input.points.end());
-  shares.places.resize(input.points.size());
-  shares.normals.resize(input.points.size());
-  shares.trust.resize(input.points.size());
-  std::vector<std::vector<Other>> others((input.points.size() + block_size - 1) / block_size);
-  std::vector<Vec3> places(result.points);
-  std::vector<std::vector<EdgePoint>> edge_blocks(others.size());
-  parallel_blocks(input.points.size(), execution, [&](std::size_t begin, std::size_t end) {
-    std::vector<Found> near;
-    std::vector<double> variances;
-    for (std::size_t i = begin; i < end; ++i) {
-      std::uint32_t own = levels.nodes(0).of[i];
-      levels.tree(0).nearest_to(result.points[i], blended, infinity, near);
-      if (!near.empty()) own = surer(input.points[i], result.normals[i], own, near, sheets, input.noise, variances);
-      const Blend blend =
-          blend_sheets(input.points[i], result.points[i], own, near, sheets, scales);
-      // Without a fit the place so far is the best that is known.
-      Landing landing{result.points[i], result.normals[i]};
-      landing.sheets[0] = {result.points[i], result.normals[i]};
-      if (blend.valid && is_finite(blend.foot)) {
-        landing = finder.land(input.points[i], blend, own, near);
-      }
-      const Vec3 move = landing.place - input.points[i];
-      const double distance = norm(move);
-      places[i] = distance > input.max_move ? input.points[i] + (input.max_move / distance) * move
-                                            : landing.place;
-      result.normals[i] = landing.normal;
-      result.labels[i] = landing.label;
-      if (landing.label == Feature::Edge || landing.label == Feature::Corner) {
-        edge_blocks[begin / block_size].push_back(
-            {static_cast<std::uint32_t>(i), landing.sheets, landing.sheet_count});
-      }
-      const std::span<const CutSheet> here(landing.sheets.data(), landing.sheet_count);
-      const auto likeliest = std::ranges::max_element(here, {}, &CutSheet::share);
-      shares.places[i] = likeliest->foot;
-      shares.normals[i] = likeliest->normal;
-      shares.trust[i] = likeliest->share;
-      for (auto s = here.begin(); s != here.end(); ++s) {
-        if (s != likeliest && s->share > least_share) {
-          others[begin / block_size].push_back({static_cast<std::uint32_t>(i), *s});
-        }
-      }
-    }
-  });
-  for (const auto& block : others) {
-    for (const Other& other : block) {
-      shares.measured.push_back(input.points[other.point]);
-      shares.places.push_back(other.sheet.foot);
-      shares.normals.push_back(other.sheet.normal);
-      shares.trust.push_back(other.sheet.share);
-    }
-  }
-  result.points = std::move(places);
-  std::vector<EdgePoint> edges;
-  for (const auto& block : edge_blocks) edges.insert(edges.end(), block.begin(), block.end());
-  label_corners(edges, result.points, input.spacing, result.labels, execution);
-  return shares;
 }
 
 }  // namespace
@@ -191,7 +72,7 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
                       for (std::size_t i = begin; i < end; ++i) {
                         const auto node = static_cast<std::uint32_t>(i);
                         if (i % survey_step != 0) {
-                          if (!getenv("SKIP1")) sheets[i] = surveyor.fit(node, scratch, small);
+                          sheets[i] = surveyor.fit(node, scratch, small);
                           continue;
                         }
                         const std::size_t at = i / survey_step;
@@ -217,9 +98,6 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
                     [&](std::size_t begin, std::size_t end) {
                       SheetFitter::Scratch scratch;
                       for (std::size_t i = begin; i < end; ++i) {
-                        static const std::size_t T = getenv("T") ? atoi(getenv("T")) : 0;
-                        static const std::size_t ST = getenv("ST") ? atoi(getenv("ST")) : 4;
-                        if (choices[i].scale >= T && i % ST != 0) continue;
                         sheets[i] = fitter.fit(static_cast<std::uint32_t>(i), scratch, choices[i]);
                       }
                     });

@@ -29,6 +29,8 @@ constexpr double most_variance = 30;
 /// Points of an edge are those within so many spacings of it.
 constexpr double edge_width = 0.8;
 
+constexpr double one_place = 1e-9;  ///< in spacings: places closer than that differ by rounding
+
 /// The nearest point to `at` on the line where plane `normal` through `at` meets another plane.
 std::optional<Vec3> onto_line(const Vec3& at, const Vec3& normal, const Vec3& other,
                               double distance) {
@@ -155,6 +157,11 @@ void CreaseFinder::find_shares(const Vec3& point, const Plane& self, std::span<c
       if (side[j][k] * d >= 0) continue;
       if (const auto edge = onto_line(foot, all[k]->normal, all[j]->normal, d)) foot = *edge;
     }
+    // What lies on one edge is one place: rounding must not tell which of two sheets is nearer.
+    for (std::size_t j = 0; j < k; ++j) {
+      const Vec3& other = landing.sheets[j].foot;
+      if (norm(foot - other) < one_place * spacing_) foot = other;
+    }
   }
 }
 
@@ -201,7 +208,7 @@ Landing CreaseFinder::land(const Vec3& point, const Blend& blend, std::uint32_t 
   });
   if (!meet) return landing;
   const bool beyond_both = std::ranges::all_of(planes, [&](const Plane& plane) {
-    return plane.side != 0 && plane.distance(landing.place) * plane.side < 1e-9 * spacing_;
+    return plane.side != 0 && plane.distance(landing.place) * plane.side < one_place * spacing_;
   });
   const double to_corner = norm(*corner - landing.place);
   if (beyond_both && to_corner < reach()) {

@@ -30,6 +30,13 @@ class Faces {
     }
   }
 
+  [[nodiscard]] double variance() const { return sheets_[0].variance; }
+  void set_variance(const Vec3& normal, double variance) {
+    for (Sheet& sheet : sheets_) {
+      if (dot(sheet.frame.w, normal) > 0.99) sheet.variance = variance;
+    }
+  }
+
   /// Where a point comes to lie that belongs to the face with this normal.
   [[nodiscard]] Landing land(const Vec3& point, const Vec3& normal) const {
     const KdTree tree(places_);
@@ -110,7 +117,8 @@ TEST(Crease, EndsThreeFacesInACorner) {
   for (const Vec3& normal : {up, Vec3{0, 1, 0}, Vec3{1, 0, 0}}) {
     expect_landing(faces.land({0.3, 0.2, 0.1}, normal), {0, 0, 0}, Feature::Corner);
   }
-  expect_landing(faces.land({-0.7, -0.7, 0.1}, up), {-0.7, -0.7, 0}, Feature::Corner);
+  // What is near a corner but not in it is up to those around: see corners.hpp.
+  expect_landing(faces.land({-0.7, -0.7, 0.1}, up), {-0.7, -0.7, 0}, Feature::Edge);
   expect_landing(faces.land({0.3, -3.5, 0.1}, up), {0, -3.5, 0}, Feature::Edge);
   expect_landing(faces.land({-3.5, -3.5, 0.1}, up), {-3.5, -3.5, 0}, Feature::Surface);
 }
@@ -123,6 +131,55 @@ TEST(Crease, IsNoneBetweenParallelSheets) {
     expect_landing(faces.land({0.1, 0.2, 0.3}, up), {0.1, 0.2, 0}, Feature::Surface);
     expect_landing(faces.land({0.1, 0.2, -0.25}, up), {0.1, 0.2, 0}, Feature::Surface);
   }
+}
+
+/// The shares of a landing, first of its own sheet.
+std::vector<double> shares_of(const Landing& landing) {
+  std::vector<double> shares;
+  for (std::size_t k = 0; k < landing.sheet_count; ++k) {
+    shares.push_back(landing.sheets.at(k).share);
+  }
+  return shares;
+}
+
+TEST(Crease, SharesAPointAmongTheSheetsThatItMayBeOf) {
+  for (const double side : {1.0, -1.0}) {
+    const Faces faces = two_faces(side);
+    // As far from both, on either side of the edge.
+    for (const double h : {0.1, -0.1}) {
+      const Landing landing = faces.land({h, 0.2, -side * h}, up);
+      const std::vector<double> shares = shares_of(landing);
+      ASSERT_EQ(shares.size(), 2U);
+      EXPECT_NEAR(shares[0], 0.5, 1e-9);
+      EXPECT_NEAR(shares[1], 0.5, 1e-9);
+      EXPECT_EQ(landing.sheets[0].normal, up);
+      EXPECT_EQ(landing.sheets[1].normal, (Vec3{-side, 0, 0}));
+    }
+    // Clear of the edge by five times the noise.
+    EXPECT_GT(shares_of(faces.land({-1, 0.2, 0.1}, up))[0], 0.999);
+    EXPECT_EQ(shares_of(faces.land({-5, 0.2, 0.1}, up)), std::vector<double>{1});
+  }
+  EXPECT_EQ(shares_of(three_faces().land({0.1, 0.1, 0.1}, up)).size(), 3U);
+}
+
+// No sheet has a place for a point beyond where it ends.
+TEST(Crease, PutsFeetOntoTheEdgeBeyondIt) {
+  const Landing landing = two_faces(-1).land({0.1, 0.2, 0.15}, up);
+  ASSERT_EQ(landing.sheet_count, 2U);
+  EXPECT_LT(norm(landing.sheets[0].foot - Vec3{0, 0.2, 0}), 1e-12);
+  EXPECT_LT(norm(landing.sheets[1].foot - Vec3{0, 0.2, 0}), 1e-12);
+  const Landing below = two_faces(-1).land({0.1, 0.2, -0.15}, up);
+  EXPECT_LT(norm(below.sheets[1].foot - Vec3{0, 0.2, -0.15}), 1e-12);
+}
+
+// Sheets of a few points that agree by chance have thirty times the variance of those around.
+TEST(Crease, IsNoneOfSheetsThatAreFarLessSure) {
+  Faces faces = two_faces(-1);
+  const double limit = 30 * faces.variance();
+  faces.set_variance({1, 0, 0}, 0.9 * limit);
+  expect_landing(faces.land({0.3, 0.2, 0.1}, up), {0, 0.2, 0}, Feature::Edge);
+  faces.set_variance({1, 0, 0}, 1.1 * limit);
+  expect_landing(faces.land({0.3, 0.2, 0.1}, up), {0.3, 0.2, 0}, Feature::Surface);
 }
 
 // Their planes meet, but the faces are far from there.

@@ -19,14 +19,13 @@ const double spacing = 1 / std::sqrt(double{count});
 std::vector<ScaleChoice> choices_on(const Sampled& truth, double sigma, double assumed) {
   const FitBench bench(truth, spacing, sigma, 2);
   // The fits are told of another noise than there is.
-  const SheetFitter fitter(bench.fine, bench.fine_tree, bench.coarse, bench.coarse_tree, assumed,
-                           spacing);
+  const SheetFitter fitter(bench.levels, assumed);
   std::vector<Sheet> sheets(count);
   std::vector<ScaleCurve> curves(count);
   SheetFitter::Scratch scratch;
   for (std::uint32_t i = 0; i < count; ++i) sheets[i] = fitter.survey(i, scratch, curves[i]);
-  return choose_scales(bench.fine_tree, sheets, curves, bench.fine.places, bench.fine.normals,
-                       assumed, bench.points_per_coarse_node(), {});
+  return choose_scales(bench.levels.tree(0), sheets, curves, bench.fine.places, bench.fine.normals,
+                       assumed, bench.levels, {});
 }
 
 double mean_scale(const std::vector<ScaleChoice>& choices) {
@@ -55,12 +54,19 @@ TEST(ScaleChoice, FindsTheNoiseOfThePlace) {
   }
 }
 
+/// Nodes of which 9 make one of level 1, and 81 one of level 2.
+NodeLevels nodes_by_nines() {
+  const Sampled plane = plane_grid(18);
+  return {nodes_of_points(plane.points, plane.points, plane.normals), 1, 0.1};
+}
+
 /// Curves of nodes whose fits have a variance that falls and residuals that rise with the scale.
 struct MadeUp {
   std::vector<Vec3> places = flat_square(400, 4).points;
   std::vector<Vec3> normals = std::vector<Vec3>(400, Vec3{0, 0, 1});
   std::vector<Sheet> sheets = std::vector<Sheet>(400);
   std::vector<ScaleCurve> curves = std::vector<ScaleCurve>(400);
+  NodeLevels levels = nodes_by_nines();
 
   /// @param misfit  at the scales from `from` on
   MadeUp(std::size_t from, float misfit) {
@@ -70,16 +76,17 @@ struct MadeUp {
         const double area = std::pow(1.5, static_cast<double>(s));
         curve.freedom[s] = static_cast<float>(120 * area);
         curve.variance[s] = static_cast<float>(0.2 / area);
-        // The mean of ten points shows a misfit ten times as clearly.
-        const float seen = s < coarse_scale ? misfit : 10 * misfit;
+        // The mean of nine points shows a misfit nine times as clearly.
+        const auto seen = static_cast<float>(levels.merged(s / level_scales)) * misfit;
         curve.residual[s] = s < from ? 1 : 1 + seen;
         curve.curvature[s] = 1.25;
+        if (curve.residual[s] > 3) break;  // a survey ends there
       }
     }
   }
   [[nodiscard]] std::vector<ScaleChoice> choose() const {
     const KdTree tree(places);
-    return choose_scales(tree, sheets, curves, places, normals, 0.1, 10, {});
+    return choose_scales(tree, sheets, curves, places, normals, 0.1, levels, {});
   }
 };
 

@@ -24,7 +24,7 @@ struct Patch {
     for (int i = 0; i < 2000; ++i) weights.push_back(1 + i % 3);
   }
   [[nodiscard]] SurfaceNodes merged(double cell, const Execution& execution = {}) const {
-    return merge_into_cells(measured, surface.points, surface.normals, weights, {}, cell,
+    return merge_into_cells(measured, surface.points, surface.normals, weights, {}, cell, 1,
                             execution);
   }
 };
@@ -97,7 +97,7 @@ TEST(SurfaceNodes, DoNotJoinTheSidesOfAThinPart) {
     }
   }
   // Even the point at the far end of the box is in the cell.
-  const SurfaceNodes apart = merge_into_cells(points, points, normals, {}, {}, 2, {});
+  const SurfaceNodes apart = merge_into_cells(points, points, normals, {}, {}, 2, 1, {});
   ASSERT_EQ(apart.size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_EQ(apart.weights[k], 10);
@@ -105,7 +105,7 @@ TEST(SurfaceNodes, DoNotJoinTheSidesOfAThinPart) {
     EXPECT_EQ(std::abs(apart.normals[k].z), 1);
   }
   // Without normals there are no sides.
-  const SurfaceNodes together = merge_into_cells(points, points, {}, {}, {}, 2, {});
+  const SurfaceNodes together = merge_into_cells(points, points, {}, {}, {}, 2, 1, {});
   ASSERT_EQ(together.size(), 1U);
   EXPECT_EQ(together.weights[0], 20);
   EXPECT_EQ(together.normals[0], Vec3{});
@@ -119,7 +119,7 @@ TEST(SurfaceNodes, AreTheSameInAnyUnitAndPlace) {
       const auto map = [&](const Vec3& p) { return unit * (p + Vec3{far, -far, 2 * far}); };
       const SurfaceNodes nodes =
           merge_into_cells(mapped(patch.measured, map), mapped(patch.surface.points, map),
-                           patch.surface.normals, patch.weights, {}, 0.21 * unit, {});
+                           patch.surface.normals, patch.weights, {}, 0.21 * unit, 1, {});
       EXPECT_EQ(nodes.of, plain.of) << unit << " " << far;
       EXPECT_LE(max_difference(nodes.places, mapped(plain.places, map)),
                 1e-15 * unit * (1 + 10 * far));
@@ -148,7 +148,7 @@ TEST(SurfaceNodes, DoNotDependOnTheOrderOrTheThreads) {
 
 TEST(SurfaceNodes, MakeOneOfEqualPoints) {
   const std::vector<Vec3> points(50, {0.1, 0.2, 0.3});
-  const SurfaceNodes nodes = merge_into_cells(points, points, {}, {}, {}, 1e-3, {});
+  const SurfaceNodes nodes = merge_into_cells(points, points, {}, {}, {}, 1e-3, 1, {});
   ASSERT_EQ(nodes.size(), 1U);
   EXPECT_EQ(nodes.weights[0], 50);
   EXPECT_LE(norm(nodes.places[0] - points[0]), 1e-15);

@@ -7,41 +7,31 @@
 #include <utility>
 #include <vector>
 
-#include "kd_tree.hpp"
+#include "node_levels.hpp"
 #include "sheet_fit.hpp"
 #include "support/shapes.hpp"
-#include "surface_nodes.hpp"
 
 // Surfaces whose truth is known, ready to be fitted.
 
 namespace deburr {
 
-/// A noisy surface as nodes at two resolutions; places and normals are the true ones.
+/// A noisy surface as nodes of all levels; places and normals are the true ones.
 struct FitBench {
-  double spacing;
   double noise;
-  SurfaceNodes fine;
-  SurfaceNodes coarse;
-  KdTree fine_tree;
-  KdTree coarse_tree;
+  NodeLevels levels;
+  const SurfaceNodes& fine;
   SheetFitter fitter;
 
-  FitBench(const Sampled& truth, double point_spacing, double sigma, unsigned seed)
-      : spacing(point_spacing),
-        noise(sigma),
-        fine(nodes_of_points(with_noise(truth.points, sigma, seed), truth.points, truth.normals)),
-        coarse(merge_into_cells(fine.measured, fine.places, fine.normals, fine.weights, {},
-                                3 * spacing, {})),
-        fine_tree(fine.places),
-        coarse_tree(coarse.places),
-        fitter(fine, fine_tree, coarse, coarse_tree, noise, spacing) {}
+  FitBench(const Sampled& truth, double spacing, double sigma, unsigned seed)
+      : noise(sigma),
+        levels(nodes_of_points(with_noise(truth.points, sigma, seed), truth.points, truth.normals),
+               spacing, sigma),
+        fine(levels.nodes(0)),
+        fitter(levels, noise) {}
   // The fitter refers to the nodes.
   FitBench(const FitBench&) = delete;
   FitBench& operator=(const FitBench&) = delete;
 
-  [[nodiscard]] double points_per_coarse_node() const {
-    return static_cast<double>(fine.size()) / static_cast<double>(coarse.size());
-  }
   /// @param curvature  as if all nodes together told so much; < 0 for nothing
   [[nodiscard]] Sheet fit(std::uint32_t i, std::size_t scale, float curvature) const {
     ScaleChoice choice{.scale = scale, .noise = noise};

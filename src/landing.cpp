@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include "landing.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "corners.hpp"
+#include "crease.hpp"
+#include "parallel.hpp"
+#include "sheet_blend.hpp"
+#include "surer_sheet.hpp"
+
+namespace deburr {
+namespace {
+
+constexpr std::size_t blended = 100;  ///< nodes around a point that its landing is made of
+
+/// Less of a point is not worth a place among the nodes of another sheet.
+constexpr double least_share = 0.02;
+
+/// A point on a sheet that is not its likeliest.
+struct Other {
+  std::uint32_t point;
+  CutSheet sheet;
+};
+
+/// What the points of one block leave for after all have landed.
+struct Block {
+  std::vector<Other> others;
+  std::vector<EdgePoint> edges;
+};
+
+/// One landing of all points.
+class Lander {
+ public:
+  Lander(const AutomaticInput& input, const NodeLevels& levels, std::span<const Sheet> sheets)
+      : input_(input),
+        levels_(levels),
+        sheets_(sheets),
+        scales_{input.noise, levels.spacing()},
+        finder_(sheets, scales_, input.spacing) {}
+
+  /// Buffers of one thread.
+  struct Scratch {
+    std::vector<Found> near;
+    std::vector<double> variances;
+  };
+
+  /// Where point i comes to lie from where it was taken to lie so far.
+  Landing land(std::size_t i, const Vec3& place, const Vec3& normal, Scratch& scratch) const {
+    const Vec3& point = input_.points[i];
+    auto& near = scratch.near;
+    levels_.tree(0).nearest_to(place, blended, std::numeric_limits<double>::infinity(), near);
+    const std::uint32_t own =
+        surer_sheet(point, levels_.nodes(0).of[i], near, sheets_, input_.noise, scratch.variances);
+    const Blend blend = blend_sheets(point, place, own, near, sheets_, scales_);
+    if (blend.valid && is_finite(blend.foot)) return finder_.land(point, blend, own, near);
+    // Without a fit the place so far is the best that is known.
+    Landing landing{place, normal};
+    landing.sheets[0] = {place, normal};
+    return landing;
+  }
+
+ private:
+  const AutomaticInput& input_;
+  const NodeLevels& levels_;
+  std::span<const Sheet> sheets_;
+  BlendScales scales_;
+  CreaseFinder finder_;
+};
+
+/// No farther from where it was measured than the bound.
+Vec3 bounded(const Vec3& place, const Vec3& point, double max_move) {
+  const Vec3 move = place - point;
+  const double distance = norm(move);
+  return distance > max_move ? point + (max_move / distance) * move : place;
+}
+
+/// Puts point i onto the likeliest of its sheets, and what is left of it into the block.
+void share_out(std::uint32_t i, const Landing& landing, Shares& shares, Block& block) {
+  const std::span<const CutSheet> here(landing.sheets.data(), landing.sheet_count);
+  const auto likeliest = std::ranges::max_element(here, {}, &CutSheet::share);
+  shares.places[i] = likeliest->foot;
+  shares.normals[i] = likeliest->normal;
+  shares.trust[i] = likeliest->share;
+  for (auto s = here.begin(); s != here.end(); ++s) {
+    if (s != likeliest && s->share > least_share) block.others.push_back({i, *s});
+  }
+}
+
+}  // namespace
+
+Shares land(const AutomaticInput& input, const NodeLevels& levels, std::span<const Sheet> sheets,
+            AutomaticResult& result, const Execution& execution) {
+  const std::size_t count = input.points.size();
+  Shares shares;
+  shares.measured.assign(input.points.begin(), input.points.end());
+  shares.places.resize(count);
+  shares.normals.resize(count);
+  shares.trust.resize(count);
+  std::vector<Block> blocks((count + block_size - 1) / block_size);
+  const Lander lander(input, levels, sheets);
+  parallel_blocks(count, execution, [&](std::size_t begin, std::size_t end) {
+    Lander::Scratch scratch;
+    Block& block = blocks[begin / block_size];
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto point = static_cast<std::uint32_t>(i);
+      const Landing landing = lander.land(i, result.points[i], result.normals[i], scratch);
+      result.points[i] = bounded(landing.place, input.points[i], input.max_move);
+      result.normals[i] = landing.normal;
+      result.labels[i] = landing.label;
+      if (landing.label != Feature::Surface) {
+        block.edges.push_back({point, landing.sheets, landing.sheet_count});
+      }
+      share_out(point, landing, shares, block);
+    }
+  });
+  std::vector<EdgePoint> edges;
+  for (const Block& block : blocks) {
+    for (const Other& other : block.others) {
+      shares.measured.push_back(input.points[other.point]);
+      shares.places.push_back(other.sheet.foot);
+      shares.normals.push_back(other.sheet.normal);
+      shares.trust.push_back(other.sheet.share);
+    }
+    edges.insert(edges.end(), block.edges.begin(), block.edges.end());
+  }
+  label_corners(edges, result.points, input.spacing, result.labels, execution);
+  return shares;
+}
+
+}  // namespace deburr
