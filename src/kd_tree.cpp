@@ -106,7 +106,7 @@ void KdTree::nearest(const Vec3& at, std::uint32_t excluded, std::size_t count,
     found.resize(count);
     limit = found.back();
   };
-  const std::size_t most = count + count / 2;
+  const std::size_t most = 2 * count;
   search(0, at, limit, [&](const Found& f) {
     if (f.index == excluded || limit < f) return;
     found.push_back(f);
@@ -114,6 +114,15 @@ void KdTree::nearest(const Vec3& at, std::uint32_t excluded, std::size_t count,
   });
   if (found.size() > count) cut();
   std::sort(found.begin(), found.end());
+}
+
+void KdTree::nearest_beside(const Vec3& at, std::size_t count, double& hint,
+                            std::vector<Found>& found, std::uint32_t excluded) const {
+  constexpr double no_limit = std::numeric_limits<double>::infinity();
+  constexpr double margin = 1.4;
+  nearest(at, excluded, count, hint, found);
+  if (found.size() < count && hint < no_limit) nearest(at, excluded, count, no_limit, found);
+  if (found.size() == count && count > 0) hint = margin * found.back().squared_distance;
 }
 
 void KdTree::within(const Vec3& at, std::uint32_t excluded, double squared_radius,

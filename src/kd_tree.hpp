@@ -45,6 +45,12 @@ class KdTree {
   void nearest_to(const Vec3& at, std::size_t count, double squared_radius,
                   std::vector<Found>& found, std::uint32_t excluded = no_point) const;
 
+  /// As nearest_to() without a radius, for places that follow each other closely: how far one
+  /// search had to go, `hint`, limits the next, which is done again where that was not enough.
+  /// @param hint  infinity at first; does not change what is found
+  void nearest_beside(const Vec3& at, std::size_t count, double& hint, std::vector<Found>& found,
+                      std::uint32_t excluded = no_point) const;
+
   /// The nearest point of a finite place. The tree must hold at least one point.
   [[nodiscard]] Found nearest_to(const Vec3& at) const;
 

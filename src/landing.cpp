@@ -45,13 +45,14 @@ class Lander {
   struct Scratch {
     std::vector<Found> near;
     std::vector<double> variances;
+    double hint = std::numeric_limits<double>::infinity();  ///< of searches
   };
 
   /// Where point i comes to lie from where it was taken to lie so far.
   Landing land(std::size_t i, const Vec3& place, const Vec3& normal, Scratch& scratch) const {
     const Vec3& point = input_.points[i];
     auto& near = scratch.near;
-    levels_.tree(0).nearest_to(place, blended, std::numeric_limits<double>::infinity(), near);
+    levels_.tree(0).nearest_beside(place, blended, scratch.hint, near);
     const std::uint32_t own =
         surer_sheet(point, levels_.nodes(0).of[i], near, sheets_, input_.noise, scratch.variances);
     const Blend blend = blend_sheets(point, place, own, near, sheets_, scales_);

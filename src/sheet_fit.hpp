@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -41,10 +42,13 @@ class SheetFitter {
   /// @param noise  standard deviation of the noise of a single point
   SheetFitter(const NodeLevels& levels, double noise) : levels_(levels), noise_(noise) {}
 
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+
   /// Buffers of one thread.
   struct Scratch {
     std::vector<Found> found;
     SheetSamples samples;
+    std::array<double, node_levels> hints{infinite, infinite, infinite};  ///< of searches
   };
 
   /// Fits node i at every scale and tells how each fares.
