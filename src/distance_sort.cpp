@@ -13,9 +13,6 @@ namespace {
 /// So few are ranked by counting, for each, all that are nearer.
 constexpr std::size_t few = 96;
 
-/// A bucket with more than this is not sorted by insertion.
-constexpr std::uint32_t fullest = 24;
-
 /// For each of the values, how many of them are smaller. Both arrays have room for whole lanes.
 DEBURR_MULTIVERSION
 void count_smaller(const double* values, std::size_t size, std::uint64_t* counts) {
@@ -25,15 +22,6 @@ void count_smaller(const double* values, std::size_t size, std::uint64_t* counts
     LaneBits smaller{};
     for (std::size_t k = 0; k < size; ++k) smaller -= values[k] < v;
     std::memcpy(counts + from, &smaller, sizeof smaller);
-  }
-}
-
-void insert(std::span<Found> values) {
-  for (std::size_t k = 1; k < values.size(); ++k) {
-    const Found f = values[k];
-    std::size_t at = k;
-    for (; at > 0 && f < values[at - 1]; --at) values[at] = values[at - 1];
-    values[at] = f;
   }
 }
 
@@ -71,37 +59,8 @@ void DistanceSort::write(std::size_t size, std::uint32_t self, std::size_t wante
 
   found_.resize(size);
   for (std::size_t k = 0; k < size; ++k) found_[k] = {squared_[k], indices_[k]};
-  const std::vector<Found>* sorted = &found_;
-  if (spread(found_)) {
-    // Whole buckets, of which the last has the last that is wanted.
-    insert(std::span(spread_).first(ends_[bucket(spread_[wanted - 1])]));
-    sorted = &spread_;
-  } else {
-    std::partial_sort(found_.begin(), found_.begin() + static_cast<std::ptrdiff_t>(wanted),
-                      found_.end());
-  }
-  for (std::size_t k = 0; k < wanted; ++k) to[k] = (*sorted)[k].index;
-}
-
-/// Copies to spread_ by bucket; false if a bucket is too full for insertion. Squared distances on a
-/// surface are spread evenly, so that few share one.
-bool DistanceSort::spread(std::span<const Found> found) {
-  const std::size_t buckets = 2 * found.size();
-  per_bucket_ = static_cast<double>(buckets - 1) / largest_;
-  ends_.assign(buckets, 0);
-  for (const Found& f : found) ++ends_[bucket(f)];
-  std::uint32_t sum = 0;
-  std::uint32_t most = 0;
-  for (std::uint32_t& end : ends_) {
-    most = std::max(most, end);
-    const std::uint32_t begin = sum;
-    sum += end;
-    end = begin;
-  }
-  if (most > fullest) return false;
-  spread_.resize(found.size());
-  for (const Found& f : found) spread_[ends_[bucket(f)]++] = f;
-  return true;
+  sort_.sort(found_, wanted, largest_);
+  for (std::size_t k = 0; k < wanted; ++k) to[k] = found_[k].index;
 }
 
 }  // namespace deburr

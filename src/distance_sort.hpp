@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "kd_tree.hpp"
+#include "found_sort.hpp"
 
 namespace deburr {
 
@@ -29,19 +29,13 @@ class DistanceSort {
 
  private:
   bool rank(std::size_t size, std::size_t wanted, std::uint32_t* to);
-  bool spread(std::span<const Found> found);
-  [[nodiscard]] std::size_t bucket(const Found& f) const {
-    return static_cast<std::size_t>(f.squared_distance * per_bucket_);
-  }
 
   double largest_;
   std::vector<double> squared_;
   std::vector<std::uint32_t> indices_;
   std::vector<std::uint64_t> ranks_;
   std::vector<Found> found_;
-  double per_bucket_ = 0;
-  std::vector<std::uint32_t> ends_;
-  std::vector<Found> spread_;
+  FoundSort sort_;
 };
 
 }  // namespace deburr

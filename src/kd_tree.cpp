@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "found_sort.hpp"
 #include "parallel.hpp"
 
 namespace deburr {
@@ -110,10 +111,12 @@ void KdTree::nearest(const Vec3& at, std::uint32_t excluded, std::size_t count,
   search(0, at, limit, [&](const Found& f) {
     if (f.index == excluded || limit < f) return;
     found.push_back(f);
-    if (found.size() == count || found.size() == most) cut();
+    if (found.size() == most) cut();
   });
-  if (found.size() > count) cut();
-  std::sort(found.begin(), found.end());
+  double farthest = 0;
+  for (const Found& f : found) farthest = std::max(farthest, f.squared_distance);
+  thread_local FoundSort sort;
+  sort.sort(found, std::min(count, found.size()), farthest);
 }
 
 void KdTree::nearest_beside(const Vec3& at, std::size_t count, double& hint,
