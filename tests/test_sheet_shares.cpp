@@ -76,25 +76,39 @@ TEST(SheetShares, AreWholeFarFromTheOtherSheet) {
   EXPECT_EQ(shares({3, 2, 1}, {up}, 1), std::vector<double>{1});
 }
 
-// Noise of a right-angled edge, uniformly sampled: sorting it to the nearer face keeps what points
-// outward, shares do not.
-TEST(SheetShares, MakeHeightsThatAreRightInTheMean) {
-  Random random(1);
-  double soft = 0, soft_square = 0, hard = 0, hard_square = 0;
-  constexpr int count = 200000;
-  for (int i = 0; i < count; ++i) {
-    const double along = -6 * random.uniform();
-    const bool top = i % 2 == 0;
-    const Vec3 x{(top ? along : 0) + random.gaussian(), 0, (top ? 0 : along) + random.gaussian()};
-    const double share = shares(x, {up, ahead}, 1)[0];
-    soft += share * x.z;
-    soft_square += share * share * x.z * x.z;
-    if (share <= 0.5) continue;
-    hard += x.z;
-    hard_square += x.z * x.z;
+/// Sums over noisy points of the face z = 0, x < 0 and another at an angle to it, uniformly
+/// sampled.
+struct EdgeSums {
+  double soft = 0, soft_square = 0;  ///< of share times height over the first face
+  double hard = 0, hard_square = 0;  ///< of the heights of those nearer to it
+
+  explicit EdgeSums(double degrees) {
+    const double angle = degrees / 180 * std::numbers::pi;
+    const Vec3 along{-std::cos(angle), 0, -std::sin(angle)};
+    const std::vector<Vec3> normals{up, {std::sin(angle), 0, -std::cos(angle)}};
+    Random random(1);
+    for (int i = 0; i < 200000; ++i) {
+      Vec3 x = (8 * random.uniform()) * (i % 2 == 0 ? Vec3{-1, 0, 0} : along);
+      x.x += random.gaussian();
+      x.z += random.gaussian();
+      const double share = shares(x, normals, 1)[0];
+      soft += share * x.z;
+      soft_square += share * share * x.z * x.z;
+      if (share <= 0.5) continue;
+      hard += x.z;
+      hard_square += x.z * x.z;
+    }
   }
-  EXPECT_LT(std::abs(soft), 2.5 * std::sqrt(soft_square));  // its standard error
-  EXPECT_GT(hard, 20 * std::sqrt(hard_square));
+};
+
+// Sorting the points of an edge to the nearer face keeps the noise that points outward and loses
+// that which points inward. Shares do not.
+TEST(SheetShares, MakeHeightsThatAreRightInTheMean) {
+  for (const double degrees : {60.0, 90.0, 130.0}) {
+    const EdgeSums sums(degrees);
+    EXPECT_LT(std::abs(sums.soft), 2.5 * std::sqrt(sums.soft_square)) << degrees;  // standard error
+    EXPECT_GT(sums.hard, 8 * std::sqrt(sums.hard_square)) << degrees;
+  }
 }
 
 // The same at a corner of three faces.
