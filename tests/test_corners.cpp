@@ -77,7 +77,7 @@ TEST(Corners, AreTheSameInAnyUnitAndForAnyThreads) {
 
 TEST(Corners, NeedMoreThanOnePointThatKnowsOfAThirdSheet) {
   Edges edges;
-  edges.add_edge(x_axis, {y_axis, z_axis});
+  for (int i = 0; i < 12; ++i) edges.add({0.5 * i, 0, 0}, {y_axis, z_axis});
   EXPECT_EQ(edges.corners(), 0U);
   edges.add({0.1, 0, 0}, {x_axis, y_axis, z_axis});
   EXPECT_EQ(edges.corners(), 0U);
@@ -86,6 +86,20 @@ TEST(Corners, NeedMoreThanOnePointThatKnowsOfAThirdSheet) {
   // Three may be right.
   edges.add({0.15, 0, 0}, {x_axis, y_axis, z_axis});
   EXPECT_GT(edges.corners(), 3U);
+}
+
+// Three points agree on a sheet if their normals are within 25 degrees.
+TEST(Corners, AreOfSheetsWithNormalsThatAgree) {
+  for (const bool agree : {true, false}) {
+    const double s = agree ? 0.3 : 0.7;
+    const double c = std::sqrt(1 - s * s);
+    Edges edges;
+    for (int i = 0; i < 12; ++i) edges.add({0.5 * i, 0, 0}, {y_axis, z_axis});
+    edges.add({0, 0, 0}, {{c, s, 0}});
+    edges.add({0, 0, 0}, {x_axis});
+    edges.add({0, 0, 0}, {{c, -s, 0}});
+    EXPECT_EQ(edges.corners() > 0, agree);
+  }
 }
 
 // Of many points around, three are no fifth.
@@ -106,7 +120,7 @@ TEST(Corners, AreNoneOfParallelSheets) {
 
 // One sheet that bends is no two.
 TEST(Corners, NeedSheetsThirtyDegreesApart) {
-  for (const double degrees : {20.0, 45.0}) {
+  for (const double degrees : {20.0, 28.0, 45.0}) {
     const double turn = degrees / 57.29577951308232;
     const Vec3 third{std::sin(turn), 0, std::cos(turn)};
     Edges edges;
