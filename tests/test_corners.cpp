@@ -91,7 +91,7 @@ TEST(Corners, NeedMoreThanOnePointThatKnowsOfAThirdSheet) {
 // Three points agree on a sheet if their normals are within 25 degrees.
 TEST(Corners, AreOfSheetsWithNormalsThatAgree) {
   for (const bool agree : {true, false}) {
-    const double s = agree ? 0.3 : 0.7;
+    const double s = agree ? 0.25 : 0.7;
     const double c = std::sqrt(1 - s * s);
     Edges edges;
     for (int i = 0; i < 12; ++i) edges.add({0.5 * i, 0, 0}, {y_axis, z_axis});
