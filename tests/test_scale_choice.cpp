@@ -108,6 +108,14 @@ TEST(ScaleChoice, WeighsMisfitAgainstVariance) {
   }
 }
 
+// Residuals of means of nine show nine times the misfit: 0.45 of the noise, 0.05 of which count as
+// such, are a ninth of that where a point is concerned.
+TEST(ScaleChoice, KnowsThatMeansShowAMisfitMoreClearly) {
+  for (const ScaleChoice& choice : MadeUp(level_scales, 0.05F).choose()) {
+    ASSERT_EQ(choice.scale, 2 * level_scales - 1);
+  }
+}
+
 TEST(ScaleChoice, DoesNotListenToTheOtherSide) {
   MadeUp made(3, 2);
   const MadeUp other(7, 2);

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "landing.hpp"
+#include "support/compare.hpp"
+#include "support/shapes.hpp"
+
+namespace deburr {
+namespace {
+
+constexpr double sigma = 0.4;
+
+/// Two faces, z = 0 with x < 0 and x = 0 with z < 0, as points at distances of about 1 with noise,
+/// nodes and exact sheets.
+struct Bench {
+  Sampled truth;
+  std::vector<Vec3> measured;
+  std::vector<Sheet> sheets;
+
+  explicit Bench(unsigned seed = 1) {
+    Random random(seed);
+    for (const Vec3& p : plane_grid(16).points) {
+      for (const bool top : {true, false}) {
+        const double in = -p.x - random.uniform();
+        truth.points.push_back(top ? Vec3{in, p.y, 0} : Vec3{0, p.y, in});
+        truth.normals.push_back(top ? Vec3{0, 0, 1} : Vec3{1, 0, 0});
+        Sheet sheet;
+        sheet.frame = frame_along(truth.points.back(), truth.normals.back());
+        sheet.variance = 0.01;
+        sheet.radius = 4;
+        sheet.valid = true;
+        sheets.push_back(sheet);
+      }
+    }
+    measured = with_noise(truth.points, sigma, seed);
+  }
+  [[nodiscard]] std::size_t size() const { return measured.size(); }
+  Shares land(AutomaticResult& result, double max_move = 10, int threads = 1) const {
+    const AutomaticInput input{measured, truth.normals, sigma, 1, max_move};
+    const NodeLevels levels(nodes_of_points(measured, truth.points, truth.normals), 1, sigma);
+    result.points = truth.points;
+    result.normals = truth.normals;
+    result.labels.assign(size(), Feature::Surface);
+    return deburr::land(input, levels, sheets, result, {.threads = threads});
+  }
+};
+
+double off_faces(const Vec3& p) { return std::max(p.x, p.z); }
+
+TEST(Landing, PutsPointsOntoTheSheets) {
+  const Bench bench;
+  AutomaticResult result;
+  bench.land(result);
+  for (std::size_t i = 0; i < bench.size(); ++i) {
+    EXPECT_NEAR(off_faces(result.points[i]), 0, 1e-9) << i;
+    EXPECT_LT(norm(result.points[i] - bench.measured[i]), 5 * sigma);
+    const bool face = result.labels[i] == Feature::Surface;
+    if (face) {
+      EXPECT_LT(std::min(result.points[i].x, result.points[i].z), -0.79) << i;
+    }
+  }
+}
+
+TEST(Landing, SharesEachPointOutAmongTheSheetsNearIt) {
+  const Bench bench;
+  AutomaticResult result;
+  const Shares shares = bench.land(result);
+  const std::size_t all = shares.measured.size();
+  ASSERT_EQ(shares.places.size(), all);
+  ASSERT_EQ(shares.normals.size(), all);
+  ASSERT_EQ(shares.trust.size(), all);
+  EXPECT_GT(all, bench.size() + 20);
+  EXPECT_LT(all, bench.size() + 100);
+  std::vector<double> total(bench.size());
+  for (std::size_t k = 0; k < all; ++k) {
+    const std::size_t i =
+        k < bench.size()
+            ? k
+            : static_cast<std::size_t>(std::ranges::find(bench.measured, shares.measured[k]) -
+                                       bench.measured.begin());
+    ASSERT_LT(i, bench.size());
+    EXPECT_EQ(shares.measured[k], bench.measured[i]);
+    EXPECT_NEAR(off_faces(shares.places[k]), 0, 1e-9) << k;
+    // The likeliest comes first.
+    EXPECT_EQ(shares.trust[k] > 0.5, k < bench.size()) << k;
+    EXPECT_GT(shares.trust[k], 0.02);
+    total[i] += shares.trust[k];
+  }
+  for (std::size_t i = 0; i < bench.size(); ++i) {
+    EXPECT_NEAR(total[i], 1, 0.0201) << i;  // less is not worth a place
+    const double depth = -std::min(bench.measured[i].x, bench.measured[i].z);
+    if (depth > 6 * sigma) {
+      EXPECT_GT(total[i], 1 - 1e-6) << i;
+    }
+  }
+}
+
+// Sorted to the likelier face, points by the edge are on the outside in the mean.
+TEST(Landing, HasNoBiasAtTheEdge) {
+  double sorted = 0, shared = 0, count = 0;
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    const Bench bench(seed);
+    AutomaticResult result;
+    const Shares shares = bench.land(result);
+    for (std::size_t k = 0; k < shares.measured.size(); ++k) {
+      const Vec3& x = shares.measured[k];
+      if (std::max(-x.x, -x.z) > 1) continue;
+      const double height = dot(x, shares.normals[k]) / sigma;
+      shared += shares.trust[k] * height;
+      if (k < bench.size()) sorted += height;
+      count += shares.trust[k];
+    }
+  }
+  EXPECT_GT(sorted / count, 0.15);            // 0.208
+  EXPECT_LT(std::abs(shared / count), 0.06);  // 0.020; its standard error is 0.023
+}
+
+TEST(Landing, MovesNoPointFartherThanTheBound) {
+  const Bench bench;
+  AutomaticResult result;
+  bench.land(result, 0.1 * sigma);
+  double most = 0;
+  for (std::size_t i = 0; i < bench.size(); ++i) {
+    most = std::max(most, norm(result.points[i] - bench.measured[i]));
+  }
+  EXPECT_NEAR(most, 0.1 * sigma, 1e-12);
+}
+
+TEST(Landing, LeavesPointsWithoutAFitWhereTheyWere) {
+  Bench bench;
+  for (Sheet& sheet : bench.sheets) sheet.valid = false;
+  AutomaticResult result;
+  const Shares shares = bench.land(result);
+  EXPECT_EQ(result.points, bench.truth.points);
+  EXPECT_EQ(result.normals, bench.truth.normals);
+  EXPECT_EQ(shares.places, bench.truth.points);
+  EXPECT_EQ(shares.trust, std::vector<double>(bench.size(), 1.0));
+}
+
+TEST(Landing, HasTheSameBitsForAnyThreads) {
+  const Bench bench;
+  AutomaticResult one;
+  AutomaticResult many;
+  const Shares first = bench.land(one, 10, 1);
+  const Shares second = bench.land(many, 10, 5);
+  EXPECT_EQ(one.points, many.points);
+  EXPECT_EQ(one.labels, many.labels);
+  EXPECT_EQ(first.places, second.places);
+  EXPECT_EQ(first.trust, second.trust);
+}
+
+}  // namespace
+}  // namespace deburr
