@@ -24,6 +24,10 @@ constexpr double node_cell = 1.0;
 /// Every so many-th node is fitted at all scales in the first pass.
 constexpr std::size_t survey_step = 3;
 
+/// Fits so large overlap so much that one of every so many does.
+constexpr std::size_t wide_scale = level_scales + 2;
+constexpr std::size_t wide_step = 4;
+
 NodeLevels make_levels(const AutomaticInput& input, Points measured, Points places, Normals normals,
                        std::span<const double> trust, const Execution& execution) {
   SurfaceNodes nodes = is_dense(input) ? merge_into_cells(measured, places, normals, {}, trust,
@@ -98,6 +102,7 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
                     [&](std::size_t begin, std::size_t end) {
                       SheetFitter::Scratch scratch;
                       for (std::size_t i = begin; i < end; ++i) {
+                        if (i % wide_step != 0 && choices[i].scale >= wide_scale) continue;
                         sheets[i] = fitter.fit(static_cast<std::uint32_t>(i), scratch, choices[i]);
                       }
                     });
