@@ -17,11 +17,13 @@ inline double flat_top(double e) {
 /// How far a height may be from a surface that it is of.
 inline double height_reach(double noise, double spacing) { return 3 * noise + 0.15 * spacing; }
 
+/// Turn of a unit normal that makes it foreign.
+inline constexpr double normal_reach = 0.5;
+
 /// Share with which something belongs to a smooth surface.
 /// @param turn  squared difference of its unit normal from that of the surface
 /// @param off  distance from the surface, in parts of height_reach()
-/// @param normal_reach  turn of a unit normal that makes it foreign
-inline double belonging(double turn, double off, double normal_reach) {
+inline double belonging(double turn, double off) {
   return flat_top(turn / (normal_reach * normal_reach) + off * off);
 }
 

@@ -38,6 +38,10 @@ constexpr double evident = 7.5;
 constexpr double most_gain = 20;
 /// Below this mean, what is not evident in a patch of the first size is not in larger ones.
 constexpr double hopeless = 3;
+/// Between two sheets there are fewer points than on them, by this at least.
+/// Noise that is as likely everywhere within bounds has 0.65, sheets 3.5 standard deviations apart
+/// 0.4.
+constexpr double deepest = 0.5;
 /// A change of sigma by less is not worth it.
 constexpr double less = 0.9;
 
@@ -93,6 +97,7 @@ CloseSheets find_close_sheets(Points points, const KdTree& tree, std::span<const
     if (mean < hopeless) break;
     if (mean < evident) continue;
     std::erase_if(looks, [](const TwoSheets& two) { return gain(two) < likely; });
+    if (!(median(looks, &TwoSheets::valley) < deepest)) break;
     CloseSheets close;
     close.sigma = std::sqrt(median(looks, &TwoSheets::variance));
     close.gap = median(looks, &TwoSheets::gap);

@@ -11,7 +11,6 @@ namespace deburr {
 namespace {
 
 constexpr double blend_radius = 0.7;  ///< of a sheet's own radius
-constexpr double normal_reach = 0.6;  ///< as in first fits
 constexpr double own_share = 0.1;     ///< at least, of the sheet of the point's own node
 
 }  // namespace
@@ -34,7 +33,7 @@ Blend blend_sheets(const Vec3& point, const Vec3& place, std::uint32_t own,
     if (!(w > 0)) continue;
     const Sheet::Meeting here = sheet.meet(place);
     const double off = here.distance / reach;
-    w *= w * belonging(squared_norm(here.normal - at_own.normal), off, normal_reach) /
+    w *= w * belonging(squared_norm(here.normal - at_own.normal), off) /
          sheet.variance;
     if (!(w > 0)) continue;
     const Sheet::Meeting m = sheet.meet(point);

@@ -37,7 +37,6 @@ constexpr double curved_alone = 3;
 constexpr double curved_unknown = 2;
 
 constexpr std::size_t fewest_samples = 5;
-constexpr double normal_reach = 0.5;  ///< of belonging()
 
 }  // namespace
 

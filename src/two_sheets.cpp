@@ -63,6 +63,19 @@ double mixing(std::span<const Vec3> points, const std::vector<double>& high, dou
   return differ / count / (2 * share * (1 - share));
 }
 
+/// As TwoSheets::valley, within a third of the gap around each place.
+double valley(const std::vector<double>& heights, const Mixture& mix) {
+  const double middle = 0.5 * (mix.low + mix.high);
+  const double width = (mix.high - mix.low) / 6;
+  double between = 0;
+  double on = 0;
+  for (const double z : heights) {
+    if (std::abs(z - middle) < width) ++between;
+    if (std::abs(z - mix.low) < width || std::abs(z - mix.high) < width) ++on;
+  }
+  return on > 0 ? 2 * between / on : 1;
+}
+
 }  // namespace
 
 TwoSheets fit_two_sheets(std::span<const Vec3> all, double scale) {
@@ -124,6 +137,11 @@ TwoSheets fit_two_sheets(std::span<const Vec3> all, double scale) {
   two.share = std::min(mix.share, 1 - mix.share);
   two.gain = likelihood - total * (-0.5 * std::log(single) - 0.5);
   two.mixing = mixing(points, high, mix.share);
+  std::vector<double> heights(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    heights[i] = points[i].z - surface.height(points[i].x, points[i].y);
+  }
+  two.valley = valley(heights, mix);
   return two;
 }
 

@@ -97,6 +97,21 @@ TEST(MeasureNoise, FindsNoGapInOneSheet) {
   }
 }
 
+// As likely everywhere within bounds: flat on top, but with no valley in between.
+TEST(MeasureNoise, FindsNoGapInUniformNoise) {
+  for (const std::size_t n : {1600U, 5000U}) {
+    const double h = 1 / std::sqrt(static_cast<double>(n));
+    for (const double width : {0.3, 1.0}) {
+      std::vector<Vec3> points = random_points(n, 17);
+      for (Vec3& p : points) p.z = (2 * p.z - 1) * width * h;
+      const NoiseEstimate noise = measure_noise(points);
+      const double sigma = width * h / std::numbers::sqrt3;
+      EXPECT_EQ(noise.gap, 0) << width;
+      EXPECT_NEAR(noise.sigma, sigma, 0.15 * sigma) << width;
+    }
+  }
+}
+
 TEST(Denoise, LeavesCloseSheetsNoWorse) {
   constexpr std::size_t n = 1500;
   const double h = spacing_of_plate(n);

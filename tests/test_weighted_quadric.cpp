@@ -32,9 +32,30 @@ std::vector<Sample> samples_on(const HeightQuadric& surface, double radius, std:
   return samples;
 }
 
+/// The sums by their definition, one product after the other.
+void add(WeightedQuadric& quadric, const Sample& s) {
+  auto& sums = quadric.sums();
+  const double x = s.x / quadric.scale();
+  const double y = s.y / quadric.scale();
+  const double share = s.weight / s.points;
+  std::size_t k = 0;
+  for (int degree = 0; degree <= 4; ++degree) {
+    for (int of_y = 0; of_y <= degree; ++of_y, ++k) {
+      const double term = std::pow(x, degree - of_y) * std::pow(y, of_y);
+      sums.normal.at(k) += s.weight * term;
+      sums.spread.at(k) += s.weight * share * term;
+      if (degree <= 2) sums.right.at(k) += s.weight * s.height * term;
+    }
+  }
+  sums.heights += s.weight * s.height * s.height;
+  sums.shares += share;
+  sums.share_squares += share * share;
+  ++sums.count;
+}
+
 WeightedQuadric::Both solve(const std::vector<Sample>& samples, double scale) {
   WeightedQuadric sums(scale);
-  for (const Sample& s : samples) sums.add(s.x, s.y, s.height, s.weight, s.points);
+  for (const Sample& s : samples) add(sums, s);
   return sums.solve();
 }
 
@@ -159,9 +180,9 @@ TEST(WeightedQuadric, TakesANodeForAsManyPointsAtItsMean) {
   WeightedQuadric points(1);
   Random random(9);
   for (const Sample& s : with_heights(samples_on({{0, 0, 0, 1, 0, 1}}, 1, 30, 10), 0.1, random)) {
-    nodes.add(s.x, s.y, s.height, s.weight, s.points);
+    add(nodes, s);
     for (int k = 0; k < static_cast<int>(s.points); ++k) {
-      points.add(s.x, s.y, s.height, s.weight / s.points, 1);
+      add(points, {s.x, s.y, s.height, s.weight / s.points, 1});
     }
   }
   const auto of_nodes = nodes.solve();
@@ -195,7 +216,9 @@ TEST(WeightedQuadric, MakesNoSlopeOutOfALine) {
 // A plane stands for the quadric then, and nothing is known of the curvature, in whatever unit.
 TEST(WeightedQuadric, TellsNoCurvatureOfTooFewSamples) {
   WeightedQuadric sums(1);
-  for (int k = 0; k < 8; ++k) sums.add(k % 3, k / 3, 1e-6 * k, 1, 1);
+  for (int k = 0; k < 8; ++k) {
+    add(sums, {static_cast<double>(k % 3), static_cast<double>(k / 3), 1e-6 * k, 1, 1});
+  }
   EXPECT_EQ(sums.solve().curvature, 0);
   EXPECT_EQ(sums.solve().quadric.surface.c, sums.solve().plane.surface.c);
 }
