@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "io/fields.hpp"
+#include "io/lines.hpp"
 #include "io/ply.hpp"
 #include "io/ply_body.hpp"
 #include "io/ply_header.hpp"
@@ -68,6 +69,12 @@ Element read_element(PlyBodyReader& body, const PlyElement& header) {
 }
 
 }  // namespace
+
+Match match_ply(std::string_view data) {
+  const bool is_ply =
+      data.starts_with("ply") && (data.size() == 3 || is_blank(data[3]) || data[3] == '\n');
+  return is_ply ? Match::Sure : Match::No;
+}
 
 PointCloud read_ply(const Source& source) {
   PlyHeader header = parse_ply_header(source);

@@ -33,15 +33,7 @@ struct Magic {
   std::string_view name;
 };
 
-constexpr std::array<Magic, 17> other_formats{{{"LASF", "a LAS or LAZ file"},
-                                               {"# .PCD", "a PCD file"},
-                                               {"VERSION", "a PCD file"},
-                                               {"ASTM-E57", "an E57 file"},
-                                               {"solid", "an STL file"},
-                                               {"OFF", "an OFF file"},
-                                               {"COFF", "an OFF file"},
-                                               {"v ", "an OBJ file"},
-                                               {"mtllib", "an OBJ file"},
+constexpr std::array<Magic, 9> other_formats{{{"ASTM-E57", "an E57 file"},
                                                {"# vtk", "a VTK file"},
                                                {"glTF", "a glTF file"},
                                                {"PK\x03\x04", "a ZIP archive"},
@@ -62,7 +54,10 @@ void Source::fail(const std::string& what) const { throw IoError(path, what); }
 Source load(const std::filesystem::path& path, const std::function<bool()>& cancelled) {
   Source source{path, {}, cancelled};
   const auto fail = [&] { source.fail(std::generic_category().message(errno)); };
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  const bool is_input = path == "-";
+  if (is_input) source.path = "standard input";
+  const Descriptor file(is_input ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)
+                                 : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status {};
   if (file.fd < 0 || ::fstat(file.fd, &status) != 0) fail();
 

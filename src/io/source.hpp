@@ -20,7 +20,7 @@ struct Source {
   [[noreturn]] void fail(const std::string& what) const;
 };
 
-/// Reads a whole file, or a pipe up to its end.
+/// Reads a whole file, or a pipe up to its end; "-" is the standard input.
 /// @throws IoError  if it cannot be read
 [[nodiscard]] Source load(const std::filesystem::path& path,
                           const std::function<bool()>& cancelled = {});

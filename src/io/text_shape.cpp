@@ -77,7 +77,7 @@ class ShapeFinder {
 
  private:
   [[noreturn]] void refuse(const std::string& why) const {
-    source_.fail("not a PLY or text point cloud: " + why);
+    source_.fail("not a point cloud: " + why);
   }
 
   void remember_place() {
@@ -144,6 +144,12 @@ class ShapeFinder {
       return;
     }
     shape_.names = {"x", "y", "z"};
+    // What surveying programs write below a count line.
+    if (shape_.layout.count_line && (columns == 4 || columns == 7)) {
+      shape_.names.emplace_back("intensity");
+      if (columns == 7) shape_.names.insert(shape_.names.end(), {"red", "green", "blue"});
+      return;
+    }
     for (std::size_t k = 4; k <= columns; ++k) shape_.names.push_back(fmt::format("column_{}", k));
   }
 
@@ -173,7 +179,7 @@ std::optional<CommentLine> parse_comment(std::string_view line) {
 
 TextShape find_shape(const Source& source) {
   const std::string other = name_of_other_format(source.data);
-  if (!other.empty()) source.fail("not a PLY or text point cloud, but " + other);
+  if (!other.empty()) source.fail("not a point cloud, but " + other);
   return ShapeFinder(source).find();
 }
 

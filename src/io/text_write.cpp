@@ -4,10 +4,9 @@
 
 #include <algorithm>
 
-#include "deburr/error.hpp"
 #include "io/fields.hpp"
-#include "io/format.hpp"
 #include "io/lines.hpp"
+#include "io/losses.hpp"
 #include "io/numbers.hpp"
 #include "io/text.hpp"
 
@@ -51,15 +50,14 @@ void append_value(std::string& line, const Attribute& attribute, std::size_t i, 
 
 class TextWriter {
  public:
-  TextWriter(AtomicFile& file, const std::filesystem::path& path, const PointCloud& cloud,
-             const std::function<bool()>& cancelled)
-      : file_(file), cloud_(cloud), cancelled_(cancelled), columns_(columns_of(cloud)) {
-    const bool is_text_layout = cloud.layout.encoding == Encoding::Text;
-    const bool is_pts = lower_extension(path) == ".pts";
+  explicit TextWriter(const WriteJob& job)
+      : job_(job), cloud_(job.cloud), columns_(columns_of(job.cloud)) {
+    const bool is_text_layout = cloud_.layout.encoding == Encoding::Text;
+    const bool is_pts = job.format == "pts";
     if (is_text_layout) {
-      layout_ = cloud.layout.text;
+      layout_ = cloud_.layout.text;
     } else {
-      layout_.separator = lower_extension(path) == ".csv" ? ',' : ' ';
+      layout_.separator = job.format == "csv" ? ',' : ' ';
       layout_.count_line = is_pts;
     }
     layout_.count_line = layout_.count_line && is_pts;
@@ -71,7 +69,7 @@ class TextWriter {
       layout_.header = TextHeader::Plain;
     }
     // A file without any content could not be read again.
-    if (cloud.size() == 0 && !layout_.count_line && layout_.header == TextHeader::None) {
+    if (cloud_.size() == 0 && !layout_.count_line && layout_.header == TextHeader::None) {
       layout_.header = TextHeader::Plain;
     }
   }
@@ -91,23 +89,16 @@ class TextWriter {
       buffer_.back() = '\n';
     }
     flush();
-    return std::move(warnings_);
+    return losses_.take();
   }
 
  private:
   void drop_what_text_cannot_hold() {
-    for (const Element& element : cloud_.layout.elements) {
-      warnings_.push_back(
-          fmt::format("text cannot hold the element '{}' ({} items), which was "
-                      "left out",
-                      element.name, element.size));
-    }
+    losses_.add_elements(cloud_.layout);
+    losses_.add_foreign_blocks(cloud_.layout, "text ");
     std::erase_if(columns_, [&](const Column& c) {
       const bool is_list = c.attribute != nullptr && c.attribute->is_list();
-      if (is_list) {
-        warnings_.push_back(
-            fmt::format("text cannot hold the lists '{}', which were left out", c.name));
-      }
+      if (is_list) losses_.add(*c.attribute);
       return is_list;
     });
   }
@@ -143,27 +134,18 @@ class TextWriter {
     buffer_.back() = '\n';
   }
 
-  void flush() {
-    if (cancelled_ && cancelled_()) throw Cancelled();
-    file_.write(buffer_);
-    buffer_.clear();
-  }
+  void flush() { job_.flush(buffer_); }
 
-  AtomicFile& file_;
+  const WriteJob& job_;
   const PointCloud& cloud_;
-  const std::function<bool()>& cancelled_;
   std::vector<Column> columns_;
   TextLayout layout_;
-  std::vector<std::string> warnings_;
+  Losses losses_{"text"};
   std::string buffer_;
 };
 
 }  // namespace
 
-std::vector<std::string> write_text(AtomicFile& file, const std::filesystem::path& path,
-                                    const PointCloud& cloud,
-                                    const std::function<bool()>& cancelled) {
-  return TextWriter(file, path, cloud, cancelled).write();
-}
+std::vector<std::string> write_text(const WriteJob& job) { return TextWriter(job).write(); }
 
 }  // namespace deburr
