@@ -23,6 +23,7 @@ class LasParser {
 
   LasHeader parse() {
     need(0, las_header_size(0), "the header");
+    if (!data_.starts_with("LASF")) fail(0, "no LAS file, which begins with LASF");
     parse_header();
     std::size_t offset = header_.bytes.size();
     const std::size_t count = load_little<std::uint32_t>(data_, las_at::record_count);

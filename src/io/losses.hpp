@@ -26,7 +26,7 @@ class Losses {
   void add_foreign_blocks(const FileLayout& layout, std::string_view own_prefix);
   /// Comments and obj_info.
   void add_comments(const FileLayout& layout);
-  /// Coordinates that 32-bit floats hold too coarsely: see coarse_floats().
+  /// Coordinates that are rounded to 32-bit floats and too large for them: coarse_float_step().
   void add_coarse_floats(Points points);
 
   [[nodiscard]] std::vector<std::string> take() { return std::move(sentences_); }

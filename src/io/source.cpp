@@ -34,14 +34,14 @@ struct Magic {
 };
 
 constexpr std::array<Magic, 9> other_formats{{{"ASTM-E57", "an E57 file"},
-                                               {"# vtk", "a VTK file"},
-                                               {"glTF", "a glTF file"},
-                                               {"PK\x03\x04", "a ZIP archive"},
-                                               {"\x1f\x8b", "a gzip archive"},
-                                               {"\xff\xfe", "UTF-16 text"},
-                                               {"\xfe\xff", "UTF-16 text"},
-                                               {"<", "XML or HTML"},
-                                               {"{", "JSON"}}};
+                                              {"# vtk", "a VTK file"},
+                                              {"glTF", "a glTF file"},
+                                              {"PK\x03\x04", "a ZIP archive"},
+                                              {"\x1f\x8b", "a gzip archive"},
+                                              {"\xff\xfe", "UTF-16 text"},
+                                              {"\xfe\xff", "UTF-16 text"},
+                                              {"<", "XML or HTML"},
+                                              {"{", "JSON"}}};
 
 }  // namespace
 

@@ -202,26 +202,27 @@ bool has_binary_size(std::string_view data) {
              stl_head + std::size_t{load_little<std::uint32_t>(data, stl_head - 4)} * stl_face;
 }
 
-/// Some binary files begin with "solid" as well.
-bool is_text_stl(std::string_view data) {
-  const std::string head = lower(data.substr(0, 4096));
-  return trim(head.substr(0, 80)).starts_with("solid") && !has_binary_size(data) &&
-         (head.find("facet") != std::string::npos || head.find("endsolid") != std::string::npos);
+/// Some binary files begin with "solid" as well, but no text has a zero byte.
+bool begins_as_text(std::string_view data) {
+  const std::string head = lower(data.substr(0, 256));
+  return trim(head).starts_with("solid") && head.find('\0') == std::string::npos;
 }
 
 }  // namespace
 
 Match match_stl(std::string_view data) {
-  if (is_text_stl(data)) return Match::Sure;
+  if (begins_as_text(data)) {
+    const std::string head = lower(data.substr(0, 4096));
+    const bool has_more =
+        head.find("facet") != std::string::npos || head.find("endsolid") != std::string::npos;
+    return has_more ? Match::Sure : Match::Possible;
+  }
   // A text of just this size is no binary file: its bytes 81 to 84 would announce 2^29 faces.
   return has_binary_size(data) ? Match::Sure : Match::Possible;
 }
 
 PointCloud read_stl(const Source& source) {
-  const std::string_view data = source.data;
-  const bool is_text =
-      is_text_stl(data) || (lower(data.substr(0, 5)) == "solid" && !has_binary_size(data));
-  return is_text ? StlTextReader(source).read() : read_binary(source);
+  return begins_as_text(source.data) ? StlTextReader(source).read() : read_binary(source);
 }
 
 }  // namespace deburr
