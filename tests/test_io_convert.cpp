@@ -139,6 +139,18 @@ TEST_P(Convert, WritesItsOwnFilesBackByteByByte) {
   EXPECT_TRUE(warnings.empty()) << warnings[0];
 }
 
+TEST_P(Convert, WritesNoPointsSoThatTheyCanBeRead) {
+  const TempDir dir;
+  PointCloud empty;
+  empty.layout.elements = {
+      {"face",
+       0,
+       {{"vertex_indices", std::vector<std::int32_t>{}, {0}, ScalarType::UInt8}},
+       false}};
+  (void)write_cloud(dir / ("a." + GetParam()), empty);
+  EXPECT_EQ(read_cloud(dir / ("a." + GetParam())).size(), 0U);
+}
+
 INSTANTIATE_TEST_SUITE_P(Formats, Convert, testing::ValuesIn(format_names()),
                          [](const auto& instance) { return instance.param; });
 

@@ -29,6 +29,7 @@ LasExtra parse_one(std::string_view descriptor) {
   LasExtra extra;
   extra.descriptor = descriptor;
   extra.name = padded_text(descriptor.substr(name_at, 32));
+  if (extra.name.empty()) extra.name = "extra";
   const unsigned type = load_little<std::uint8_t>(descriptor, type_at);
   const unsigned options = load_little<std::uint8_t>(descriptor, options_at);
   if (type == 0 || type > 3 * types.size()) {
@@ -45,6 +46,7 @@ LasExtra parse_one(std::string_view descriptor) {
       extra.offset[k] = load_little<double>(descriptor, offset_at + 8 * k);
     }
   }
+  extra.is_scaled = extra.is_scaled && is_integer_type(extra.type);
   // Such numbers tell nothing.
   for (std::size_t k = 0; k < extra.count; ++k) {
     if (!std::isfinite(extra.scale[k]) || extra.scale[k] == 0 || !std::isfinite(extra.offset[k])) {

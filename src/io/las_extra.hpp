@@ -3,7 +3,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +39,17 @@ struct LasExtra {
 /// descriptors for which there is no room are left out.
 [[nodiscard]] std::vector<LasExtra> parse_las_extras(std::string_view descriptors,
                                                      std::size_t size);
+
+/// The integer that a scaled field has for a value; none where that reads back as another value.
+template <typename T>
+std::optional<T> unscale(const LasExtra& extra, std::size_t j, double value) {
+  const double raw = std::nearbyint((value - extra.offset[j]) / extra.scale[j]);
+  const bool fits = raw >= static_cast<double>(std::numeric_limits<T>::lowest()) &&
+                    raw <= static_cast<double>(std::numeric_limits<T>::max());
+  if (!fits || std::abs(raw) > 0x1p53) return std::nullopt;
+  if (raw * extra.scale[j] + extra.offset[j] != value) return std::nullopt;
+  return static_cast<T>(raw);
+}
 
 /// A new field with one value per point.
 [[nodiscard]] LasExtra make_las_extra(const std::string& name, ScalarType type);

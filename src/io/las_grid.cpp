@@ -47,12 +47,10 @@ bool reads_back(const LasGrid& grid, Points points) {
 
 std::optional<std::int32_t> las_integer(double value, double scale, double offset) {
   const double integer = std::nearbyint((value - offset) / scale);
-  // Also false for NaN.
-  if (!(std::abs(integer) <= largest_integer)) {
-    if (integer == -largest_integer - 1) return std::numeric_limits<std::int32_t>::min();
-    return std::nullopt;
-  }
-  return static_cast<std::int32_t>(integer);
+  const double held = std::clamp(integer, -largest_integer - 1, largest_integer);
+  // The last integers may be missed by a rounding of the difference. A NaN is never equal.
+  if (held != integer && held * scale + offset != value) return std::nullopt;
+  return static_cast<std::int32_t>(held);
 }
 
 std::optional<GridChoice> refine_grid(const LasGrid& old, Points points, double resolution) {

@@ -164,11 +164,25 @@ LasRecord make_las_record(std::string_view user, std::uint16_t id, std::string_v
 
 LasHeader parse_las_header(const Source& source) { return LasParser(source).parse(); }
 
+bool is_las_block(const HeaderBlock& block) {
+  const std::string_view data = block.data;
+  const bool is_extended = block.name.starts_with("LAS extended record");
+  if (is_extended || block.name.starts_with("LAS record")) {
+    return data.size() >= (is_extended ? extended_head : record_head);
+  }
+  if (block.name != "LAS header") return true;
+  if (data.size() < las_header_size(0) || data.size() > 0xffff) return false;
+  const unsigned minor = load_little<std::uint8_t>(data, las_at::minor);
+  const unsigned format = load_little<std::uint8_t>(data, las_at::format);
+  return minor <= 4 && data.size() >= las_header_size(minor) && format <= las_last_format;
+}
+
 LasHeader las_header_of(const HeaderBlock& block) {
   LasHeader header;
   header.bytes = block.data;
   header.minor = load_little<std::uint8_t>(block.data, las_at::minor);
   header.format = load_little<std::uint8_t>(block.data, las_at::format);
+  header.point_bytes = load_little<std::uint16_t>(block.data, las_at::point_bytes);
   header.grid = load_las_grid(block.data);
   return header;
 }

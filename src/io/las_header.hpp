@@ -88,10 +88,13 @@ struct LasHeader {
 /// @throws IoError  naming the byte
 [[nodiscard]] LasHeader parse_las_header(const Source& source);
 
+/// Whether a block of a layout that calls itself one of LAS has the bytes for it.
+[[nodiscard]] bool is_las_block(const HeaderBlock& block);
+
 /// The header without its counts and places, from the block of a layout.
 [[nodiscard]] LasHeader las_header_of(const HeaderBlock& block);
 
-/// The number at a place of a header.
+/// Scale and offset in a header.
 [[nodiscard]] LasGrid load_las_grid(std::string_view header);
 
 }  // namespace deburr

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -62,7 +64,9 @@ class Planner {
     for (const LasRecord& record : records) {
       if (record.is(las_spec, las_extra_id)) descriptors += record.data();
     }
-    old_ = parse_las_extras(descriptors, most_point_bytes);
+    if (header_ != nullptr && header_->point_bytes > plan_.point_bytes) {
+      old_ = parse_las_extras(descriptors, header_->point_bytes - plan_.point_bytes);
+    }
     for (const Column& c : columns_) {
       if (c.role >= 3) add_normal(c);
       if (c.role == no_role && !held_.contains(c.attribute)) add_extra(*c.attribute);
@@ -164,19 +168,17 @@ class Planner {
 
   void add_extra(const Attribute& attribute) {
     if (plan_.has_layout) {
+      // A reader puts marks behind a name that is taken.
+      const std::string name = attribute.name.substr(0, attribute.name.find_last_not_of('_') + 1);
       const auto old = std::ranges::find_if(old_, [&](const LasExtra& e) {
-        return e.name == attribute.name && still_holds(e, attribute);
+        return (e.name == attribute.name || e.name == name) && still_holds(e, attribute);
       });
       if (old != old_.end()) {
-        names_.insert(attribute.name);
-        return add(*old, &attribute, nullptr);
-      }
-      if (attribute.name == las_undocumented && attribute.type() == ScalarType::UInt8 &&
-          length_of_lists(attribute) > 0) {
-        LasExtra rest;
-        rest.name = las_undocumented;
-        rest.count = length_of_lists(attribute);
-        return add(std::move(rest), &attribute, nullptr);
+        names_.insert(old->name);
+        old->is_scaled = old->is_scaled && attribute.type() == ScalarType::Float64;
+        add(*old, &attribute, nullptr);
+        old_.erase(old);
+        return;
       }
     }
     if (attribute.type() == ScalarType::Text || attribute.is_list()) {
@@ -185,23 +187,21 @@ class Planner {
     add(make_las_extra(unique_name(attribute.name), attribute.type()), &attribute, nullptr);
   }
 
-  /// The length that all lists have; 0 without one.
-  [[nodiscard]] std::size_t length_of_lists(const Attribute& attribute) const {
-    if (!attribute.is_list()) return 1;
-    const std::size_t length = cloud_.size() > 0 ? attribute.offsets[1] : 0;
+  /// Whether every item has so many values.
+  [[nodiscard]] bool has_lists_of(const Attribute& attribute, std::size_t count) const {
+    if (!attribute.is_list()) return count == 1;
     for (std::size_t i = 0; i < cloud_.size(); ++i) {
-      if (attribute.offsets[i + 1] != (i + 1) * length) return 0;
+      if (attribute.offsets[i + 1] != (i + 1) * count) return false;
     }
-    return length;
+    return true;
   }
 
   /// Whether a field as the input had it holds the values.
   [[nodiscard]] bool still_holds(const LasExtra& extra, const Attribute& attribute) const {
-    if (extra.descriptor.empty() || extra.value_type() != attribute.type() ||
-        length_of_lists(attribute) != extra.count) {
-      return false;
-    }
-    if (!extra.is_scaled) return true;
+    if (!has_lists_of(attribute, extra.count)) return false;
+    // Also of a scaled field: see LasReader::check_scales().
+    if (extra.type == attribute.type()) return true;
+    if (!extra.is_scaled || attribute.type() != ScalarType::Float64) return false;
     const auto& values = std::get<std::vector<double>>(attribute.values);
     return with_number_type(extra.type, [&]<typename T>(std::type_identity<T>) {
       for (std::size_t i = 0; i < values.size(); ++i) {

@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,19 +46,5 @@ struct LasPlan {
 [[nodiscard]] LasPlan plan_las(const PointCloud& cloud, const std::vector<Column>& columns,
                                const LasHeader* header, const std::vector<LasRecord>& records,
                                Losses& losses);
-
-/// The integer that a scaled field of extra bytes has for a value; none where it reads back as
-/// another value.
-template <typename T>
-std::optional<T> unscale(const LasExtra& extra, std::size_t j, double value) {
-  const double raw = std::nearbyint((value - extra.offset[j]) / extra.scale[j]);
-  if (!(raw >= static_cast<double>(std::numeric_limits<T>::lowest()) &&
-        raw <= static_cast<double>(std::numeric_limits<T>::max()) && std::abs(raw) <= 0x1p53)) {
-    return std::nullopt;
-  }
-  const T integer = static_cast<T>(raw);
-  if (static_cast<double>(integer) * extra.scale[j] + extra.offset[j] != value) return std::nullopt;
-  return integer;
-}
 
 }  // namespace deburr

@@ -25,6 +25,7 @@ class LasReader {
 
   PointCloud read() {
     find_extras();
+    check_scales();
     make_columns();
     for (std::size_t begin = 0; begin < header_.points; begin += block) {
       source_.check_cancelled();
@@ -48,7 +49,6 @@ class LasReader {
     extras_ = parse_las_extras(descriptors, header_.point_bytes - place);
     std::vector<std::string> names{"x", "y", "z"};
     for (LasExtra& extra : extras_) {
-      if (extra.name.empty()) extra.name = "extra";
       const bool is_number = extra.count == 1 && !extra.descriptor.empty();
       names.push_back(is_number ? extra.name : "");
       extra_places_.push_back(place);
@@ -56,6 +56,23 @@ class LasReader {
     }
     const std::vector<int> roles = find_roles(names);
     roles_.assign(roles.begin() + 3, roles.end());
+  }
+
+  /// Integers that their scale does not give back stay as they are.
+  void check_scales() {
+    for (std::size_t k = 0; k < extras_.size(); ++k) {
+      LasExtra& extra = extras_[k];
+      if (!extra.is_scaled) continue;
+      with_number_type(extra.type, [&]<typename T>(std::type_identity<T>) {
+        for (std::size_t i = 0; i < header_.points && extra.is_scaled; ++i) {
+          for (std::size_t j = 0; j < extra.count; ++j) {
+            const T raw = load_little<T>(point(i) + extra_places_[k] + j * sizeof(T));
+            const double value = static_cast<double>(raw) * extra.scale[j] + extra.offset[j];
+            extra.is_scaled = extra.is_scaled && unscale<T>(extra, j, value) == raw;
+          }
+        }
+      });
+    }
   }
 
   void make_columns() {

@@ -26,9 +26,6 @@ class ObjReader {
       if (lines_.number() % block == 0) source_.check_cancelled();
       read_line();
     }
-    if (cloud_.points.empty() && normals_.empty() && other_keywords_.empty() && faces_.empty()) {
-      source_.fail("the file has no vertices");
-    }
     check_corners();
     take_normals();
     make_columns();
@@ -72,7 +69,8 @@ class ObjReader {
     kept_ += '\n';
     if (keyword == "vn") normal_ends_.push_back(kept_.size());
     // The line goes on, so that the next one is no vertex.
-    while (lines_.line().ends_with('\\') && lines_.next()) {
+    const bool may_go_on = !keyword.starts_with('#');
+    while (may_go_on && lines_.line().ends_with('\\') && lines_.next()) {
       if (keyword == "f") row.fail("faces of more than one line are not read");
       kept_ += lines_.line();
       kept_ += '\n';

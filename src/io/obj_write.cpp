@@ -44,6 +44,8 @@ class ObjWriter {
     } else {
       write_anew();
     }
+    // A file without any content could not be read again.
+    if (cloud_.size() == 0 && buffer_.empty()) buffer_ = "#\n";
     job_.flush(buffer_);
     return losses_.take();
   }

@@ -53,7 +53,11 @@ class ShapeFinder {
     if (!has_line) refuse("it has comments or blank lines only");
     if (is_integer(lines_.line())) {
       shape_.announced = parse_number<std::size_t>(lines_.line());
-      shape_.layout.count_line = shape_.announced.has_value();
+      if (!shape_.announced) {
+        source_.fail(fmt::format("line {}: {} is no number of points", lines_.number(),
+                                 lines_.line().substr(0, 40)));
+      }
+      shape_.layout.count_line = true;
       remember_place();
       if (!next_content()) return std::move(shape_);
     }

@@ -19,14 +19,15 @@ void append_field(std::string& line, const std::string& text, char separator) {
   const bool plain = at_blanks ? !text.empty() && text.find_first_of(blanks) == std::string::npos
                                : text == trim(text) && text.find(separator) == std::string::npos;
   const bool is_comment = text.starts_with('#') || text.starts_with("//");
-  if (plain && !is_comment && text.find_first_of("\"\n\r") == std::string::npos) {
+  // Another separator in it could be taken for that of the file.
+  if (plain && !is_comment && text.find_first_of("\"\n\r,;\t") == std::string::npos) {
     line += text;
     return;
   }
   line += '"';
   for (const char c : text) {
     if (c == '"') line += '"';
-    line += c == '\n' ? ' ' : c;  // the reader knows no field of two lines
+    line += c == '\n' || c == '\r' ? ' ' : c;  // the reader knows no field of two lines
   }
   line += '"';
 }
@@ -62,7 +63,7 @@ class TextWriter {
     }
     layout_.count_line = layout_.count_line && is_pts;
     drop_what_text_cannot_hold();
-    if (is_text_layout && layout_.header == TextHeader::None) {
+    if (is_text_layout && layout_.header == TextHeader::None && !cloud_.layout.fields.empty()) {
       // Without names, nobody could tell what a new column is.
       std::erase_if(columns_, [](const Column& c) { return !c.in_layout; });
     } else if (!is_text_layout && !explains_itself()) {
