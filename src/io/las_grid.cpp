@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "io/fields.hpp"
+#include "io/large_pages.hpp"
 #include "io/numbers.hpp"
 
 namespace deburr {
@@ -32,21 +33,53 @@ int exponent_for(double size, double limit) {
   return exponent;
 }
 
-bool reads_back(const LasGrid& grid, Points points) {
-  return std::ranges::all_of(points, [&](const Vec3& p) {
+/// The nearest integer, ties to even, of a number below 2^51. Faster than a call of nearbyint().
+double nearest(double value) {
+  constexpr double large = 0x1.8p52;
+  return (value + large) - large;
+}
+
+/// Fills in all but the grid; false if a point lies outside of it.
+bool put_on_grid(GridChoice& choice, Points points) {
+  const LasGrid& grid = choice.grid;
+  choice.integers.clear();
+  resize_large(choice.integers, 3 * points.size());
+  choice.is_exact = true;
+  std::array<std::int32_t, 3> least{};
+  std::array<std::int32_t, 3> most{};
+  for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const double value = p.*axes[k];
-      const auto integer = las_integer(value, grid.scale[k], grid.offset[k]);
-      if (!integer || *integer * grid.scale[k] + grid.offset[k] != value) return false;
+      const double value = points[i].*axes[k];
+      const double quick = nearest((value - grid.offset[k]) / grid.scale[k]);
+      std::int32_t integer = 0;
+      if (std::abs(quick) < largest_integer) {
+        integer = static_cast<std::int32_t>(quick);
+      } else if (const auto held = las_integer(value, grid.scale[k], grid.offset[k])) {
+        integer = *held;
+      } else {
+        return false;
+      }
+      choice.is_exact = choice.is_exact && integer * grid.scale[k] + grid.offset[k] == value;
+      choice.integers[3 * i + k] = integer;
+      least[k] = i == 0 ? integer : std::min(least[k], integer);
+      most[k] = i == 0 ? integer : std::max(most[k], integer);
     }
-    return true;
-  });
+  }
+  for (std::size_t k = 0; k < 3 && !points.empty(); ++k) {
+    const double a = least[k] * grid.scale[k] + grid.offset[k];
+    const double b = most[k] * grid.scale[k] + grid.offset[k];
+    choice.low[k] = std::min(a, b);
+    choice.high[k] = std::max(a, b);
+  }
+  return true;
 }
 
 }  // namespace
 
 std::optional<std::int32_t> las_integer(double value, double scale, double offset) {
-  const double integer = std::nearbyint((value - offset) / scale);
+  const double real = (value - offset) / scale;
+  constexpr double safe = 0x1p51;
+  const double integer = std::abs(real) < safe ? nearest(real) : real;
   const double held = std::clamp(integer, -largest_integer - 1, largest_integer);
   // The last integers may be missed by a rounding of the difference. A NaN is never equal.
   if (held != integer && held * scale + offset != value) return std::nullopt;
@@ -54,29 +87,28 @@ std::optional<std::int32_t> las_integer(double value, double scale, double offse
 }
 
 std::optional<GridChoice> refine_grid(const LasGrid& old, Points points, double resolution) {
-  GridChoice choice{old};
+  GridChoice choice;
+  choice.grid = old;
+  if (!put_on_grid(choice, points)) return std::nullopt;
+  if (!(resolution > 0)) return choice;
   for (std::size_t k = 0; k < 3; ++k) {
-    double largest = 0;
-    for (const Vec3& p : points) {
-      if (!las_integer(p.*axes[k], old.scale[k], old.offset[k])) return std::nullopt;
-      largest = std::max(largest, std::abs((p.*axes[k] - old.offset[k]) / old.scale[k]));
-    }
     double& scale = choice.grid.scale[k];
-    if (!(resolution > 0)) continue;
-    while (std::abs(scale) > resolution) {
+    const double ends[] = {(choice.low[k] - old.offset[k]) / scale,
+                           (choice.high[k] - old.offset[k]) / scale};
+    double largest = std::max(std::abs(ends[0]), std::abs(ends[1])) + 1;
+    bool is_coarse = false;
+    while (std::abs(scale) > resolution && !is_coarse) {
       largest *= 2;
-      if (largest > largest_integer - 1) {
-        choice.is_coarse = true;
-        break;
-      }
-      scale /= 2;
+      is_coarse = largest > largest_integer;
+      if (!is_coarse) scale /= 2;
     }
+    choice.is_coarse = choice.is_coarse || is_coarse;
   }
-  choice.is_exact = reads_back(choice.grid, points);
+  if (choice.grid.scale != old.scale && !put_on_grid(choice, points)) return std::nullopt;
   return choice;
 }
 
-GridChoice choose_grid(Points points) {
+std::optional<GridChoice> choose_grid(Points points) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> low{infinity, infinity, infinity};
   std::array<double, 3> high{-infinity, -infinity, -infinity};
@@ -100,7 +132,7 @@ GridChoice choose_grid(Points points) {
     choice.grid.scale[k] = power_of_ten(exponent);
     choice.grid.offset[k] = half > 0 ? std::round(middle / round) * round : middle;
   }
-  choice.is_exact = reads_back(choice.grid, points);
+  if (!put_on_grid(choice, points)) return std::nullopt;
   return choice;
 }
 

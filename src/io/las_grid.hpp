@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "deburr/vec3.hpp"
 #include "io/las_header.hpp"
@@ -13,8 +15,11 @@ namespace deburr {
 /// A grid for coordinates, and what it does to them.
 struct GridChoice {
   LasGrid grid;
-  bool is_exact = true;    ///< every coordinate is read back as the same double
-  bool is_coarse = false;  ///< coarser than wished, for want of integers
+  bool is_exact = true;                ///< every coordinate is read back as the same double
+  bool is_coarse = false;              ///< coarser than wished, for want of integers
+  std::vector<std::int32_t> integers;  ///< x y z of each point
+  std::array<double, 3> low{};         ///< bounding box of what is read back
+  std::array<double, 3> high{};
 };
 
 /// The integer of a coordinate; none outside of 32 bits.
@@ -27,6 +32,7 @@ struct GridChoice {
                                                     double resolution);
 
 /// The finest grid of powers of ten for finite points; the unit of length plays no role.
-[[nodiscard]] GridChoice choose_grid(Points points);
+/// @return none where doubles are too few for any grid
+[[nodiscard]] std::optional<GridChoice> choose_grid(Points points);
 
 }  // namespace deburr

@@ -77,11 +77,11 @@ class LasReader {
 
   void make_columns() {
     const std::size_t n = header_.points;
-    cloud_.points.resize(n);
+    resize_large(cloud_.points, n);
     for (const LasField& field : fields_) {
       cloud_.attributes.push_back({std::string(field.name), zeros(field.type, n), {}});
     }
-    if (std::ranges::count(roles_, 3) > 0) cloud_.normals.resize(n);
+    if (std::ranges::count(roles_, 3) > 0) resize_large(cloud_.normals, n);
     for (std::size_t k = 0; k < extras_.size(); ++k) {
       if (roles_[k] != no_role) continue;
       const LasExtra& extra = extras_[k];

@@ -37,7 +37,7 @@ class LasWriter {
 
   std::vector<std::string> write() {
     count_points();
-    buffer_ = format_las_head(header_, old_.minor, plan_, grid_, counts_, records_, gap_);
+    buffer_ = format_las_head(header_, old_.minor, plan_, grid_.grid, counts_, records_, gap_);
     for (std::size_t begin = 0; begin < cloud_.size(); begin += block) {
       append_points(begin, std::min(cloud_.size(), begin + block));
       job_.flush(buffer_);
@@ -82,30 +82,18 @@ class LasWriter {
     if (has_layout_) choice = refine_grid(old_.grid, cloud_.points, cloud_.layout.resolution);
     const bool is_new = !choice;
     if (is_new) choice = choose_grid(cloud_.points);
-    grid_ = choice->grid;
+    if (!choice) throw DataError("LAS cannot hold coordinates as large as these");
     if (choice->is_coarse || (is_new && !choice->is_exact)) {
       losses_.add(fmt::format("LAS rounds coordinates, here to multiples of {}",
-                              fmt::join(grid_.scale, ", ")));
+                              fmt::join(choice->grid.scale, ", ")));
     }
+    grid_ = std::move(*choice);
   }
 
-  [[nodiscard]] std::int32_t integer(std::size_t i, std::size_t k) const {
-    const double value = cloud_.points[i].*axes[k];
-    const auto held = las_integer(value, grid_.scale[k], grid_.offset[k]);
-    if (!held) throw DataError(fmt::format("LAS cannot hold the coordinate {}", value));
-    return *held;
-  }
-
-  /// Bounding box and numbers of returns.
   void count_points() {
     counts_.points = cloud_.size();
-    for (std::size_t i = 0; i < cloud_.size(); ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double value = integer(i, k) * grid_.scale[k] + grid_.offset[k];
-        counts_.low[k] = i == 0 ? value : std::min(counts_.low[k], value);
-        counts_.high[k] = i == 0 ? value : std::max(counts_.high[k], value);
-      }
-    }
+    counts_.low = grid_.low;
+    counts_.high = grid_.high;
     const Attribute* const returns = plan_.attribute_for("return_number");
     if (returns == nullptr) {
       // One return each: see append_points().
@@ -128,7 +116,7 @@ class LasWriter {
     char* const to = buffer_.data() + start;
     for (std::size_t i = begin; i < end; ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
-        store_little(to + (i - begin) * stride + 4 * k, integer(i, k));
+        store_little(to + (i - begin) * stride + 4 * k, grid_.integers[3 * i + k]);
       }
     }
     for (const LasFieldSource& source : plan_.fields) {
@@ -203,7 +191,7 @@ class LasWriter {
   std::vector<LasRecord> records_;
   Losses losses_{"LAS"};
   LasPlan plan_;
-  LasGrid grid_;
+  GridChoice grid_;
   LasCounts counts_;
   std::string buffer_;
 };

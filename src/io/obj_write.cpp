@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "io/comments.hpp"
 #include "io/faces.hpp"
 #include "io/fields.hpp"
 #include "io/lines.hpp"
@@ -105,13 +106,7 @@ class ObjWriter {
   }
 
   void write_anew() {
-    for (const auto* comments : {&cloud_.layout.comments, &cloud_.layout.obj_info}) {
-      for (std::string comment : *comments) {
-        std::ranges::replace_if(
-            comment, [](char c) { return c == '\n' || c == '\r'; }, ' ');
-        buffer_ += comment.empty() ? "#\n" : fmt::format("# {}\n", comment);
-      }
-    }
+    append_comments(buffer_, cloud_.layout);
     append_vertices(0, cloud_.size());
     append_normals();
     if (!corners_) return;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "io/comments.hpp"
 #include "io/faces.hpp"
 #include "io/fields.hpp"
 #include "io/losses.hpp"
@@ -91,13 +92,7 @@ class OffWriter {
   void write_head() {
     buffer_ = fmt::format("{}{}{}OFF\n", has_texture_ ? "ST" : "", has_colors_ ? "C" : "",
                           cloud_.normals.empty() ? "" : "N");
-    for (const auto* comments : {&cloud_.layout.comments, &cloud_.layout.obj_info}) {
-      for (std::string comment : *comments) {
-        std::ranges::replace_if(
-            comment, [](char c) { return c == '\n' || c == '\r'; }, ' ');
-        buffer_ += comment.empty() ? "#\n" : fmt::format("# {}\n", comment);
-      }
-    }
+    append_comments(buffer_, cloud_.layout);
     buffer_ += fmt::format("{} {} 0\n", cloud_.size(), corners_ ? faces_->offsets.size() - 1 : 0);
   }
 

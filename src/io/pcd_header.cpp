@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "io/comments.hpp"
 #include "io/scalar_type.hpp"
 #include "io/text_row.hpp"
 
@@ -178,11 +179,9 @@ std::string format_pcd_header(const PcdHeader& header) {
     counts += fmt::format(" {}", field.count);
   }
   std::string text = "# .PCD v0.7 - Point Cloud Data file format\n";
-  for (std::string comment : header.comments) {
-    std::ranges::replace_if(
-        comment, [](char c) { return c == '\n' || c == '\r'; }, ' ');
-    text += comment.empty() ? "#\n" : fmt::format("# {}\n", comment);
-  }
+  FileLayout layout;
+  layout.comments = header.comments;
+  append_comments(text, layout);
   text += fmt::format(
       "VERSION 0.7\nFIELDS{}\nSIZE{}\nTYPE{}\nCOUNT{}\nWIDTH {}\nHEIGHT {}\nVIEWPOINT {}\n"
       "POINTS {}\nDATA {}\n",

@@ -82,8 +82,8 @@ class PcdReader {
       source_.fail(fmt::format("the file has no field '{}'", missing));
     }
     const std::size_t n = header_.points();
-    cloud_.points.resize(n);
-    if (std::ranges::count(roles, 3) > 0) cloud_.normals.resize(n);
+    resize_large(cloud_.points, n);
+    if (std::ranges::count(roles, 3) > 0) resize_large(cloud_.normals, n);
     const bool colors_taken = std::ranges::any_of(names, [](const std::string& name) {
       return name == "red" || name == "green" || name == "blue" || name == "alpha";
     });
@@ -120,7 +120,7 @@ class PcdReader {
     target.attribute = cloud_.attributes.size();
     for (const char* name : {"red", "green", "blue", "alpha"}) {
       cloud_.layout.fields.push_back({name, ScalarType::UInt8});
-      cloud_.attributes.push_back({name, std::vector<std::uint8_t>(header_.points()), {}});
+      cloud_.attributes.push_back({name, zeros(ScalarType::UInt8, header_.points()), {}});
     }
     cloud_.layout.blocks.push_back({"PCD colour", field.name});
     has_alpha_ = field.name == "rgba";

@@ -16,9 +16,7 @@ namespace {
 
 Attribute make_attribute(const PlyProperty& property, std::size_t size) {
   Attribute attribute{property.name, {}, {}, property.length_type};
-  with_ply_type(property.type, [&]<typename T>(std::type_identity<T>) {
-    attribute.values = std::vector<T>(property.is_list ? 0 : size);
-  });
+  attribute.values = zeros(property.type, property.is_list ? 0 : size);
   if (property.is_list) {
     attribute.offsets.reserve(size + 1);
     attribute.offsets.push_back(0);
@@ -35,8 +33,8 @@ std::vector<int> roles_of(const PlyElement& vertex) {
 
 void read_vertices(PlyBodyReader& body, const PlyElement& vertex, PointCloud& cloud) {
   const std::vector<int> roles = roles_of(vertex);
-  cloud.points.resize(vertex.size);
-  if (std::ranges::count(roles, 3) > 0) cloud.normals.resize(vertex.size);
+  resize_large(cloud.points, vertex.size);
+  if (std::ranges::count(roles, 3) > 0) resize_large(cloud.normals, vertex.size);
   for (std::size_t k = 0; k < roles.size(); ++k) {
     const PlyProperty& p = vertex.properties[k];
     cloud.layout.fields.push_back({p.name, p.type});

@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "deburr/point_cloud.hpp"
+#include "io/large_pages.hpp"
 
 namespace deburr {
 
@@ -81,8 +83,11 @@ inline std::size_t size_of(ScalarType type) {
 
 /// So many zeros.
 inline Values zeros(ScalarType type, std::size_t count) {
-  return with_number_type(
-      type, [&]<typename T>(std::type_identity<T>) { return Values(std::vector<T>(count)); });
+  return with_number_type(type, [&]<typename T>(std::type_identity<T>) {
+    std::vector<T> values;
+    resize_large(values, count);
+    return Values(std::move(values));
+  });
 }
 
 /// Number of values that an attribute holds, all lists together.

@@ -156,6 +156,7 @@ class StlTextReader {
     const std::string word = lower(row.word());
     if (word == "solid") {
       const std::string_view line = lines_.line();
+      if (line.find('\0') != std::string_view::npos) row.fail("a zero byte in a text");
       names_.emplace_back(trim(line.substr(std::min<std::size_t>(5, line.size()))));
       ended_ = false;
     } else if (word == "facet") {

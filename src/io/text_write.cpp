@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "io/comments.hpp"
 #include "io/fields.hpp"
 #include "io/lines.hpp"
 #include "io/losses.hpp"
@@ -118,14 +119,7 @@ class TextWriter {
 
   void write_head() {
     if (layout_.count_line) buffer_ += fmt::format("{}\n", cloud_.size());
-    for (const auto* comments : {&cloud_.layout.comments, &cloud_.layout.obj_info}) {
-      for (std::string comment : *comments) {
-        std::ranges::replace_if(
-            comment, [](char c) { return c == '\n' || c == '\r'; }, ' ');
-        buffer_ += comment.empty() ? layout_.mark : fmt::format("{} {}", layout_.mark, comment);
-        buffer_ += '\n';
-      }
-    }
+    append_comments(buffer_, cloud_.layout, layout_.mark);
     if (layout_.header == TextHeader::None) return;
     if (layout_.header == TextHeader::Marked) buffer_ += layout_.mark;
     for (const Column& c : columns_) {
