@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "deburr/error.hpp"
 #include "deburr/version.hpp"
@@ -47,6 +48,13 @@ void store_counts(std::string& head, unsigned minor, const LasPlan& plan, const 
   for (std::size_t r = 0; r < 15; ++r) {
     store_little(head, las_at::returns_64 + 8 * r, counts.returns[r + 1]);
   }
+}
+
+/// Programs differ in the last bit of a bound. That of the input stays where it says the same.
+void store_bound(std::string& head, std::size_t place, double bound, double step) {
+  constexpr double same = 1e-3;
+  const auto before = load_little<double>(head, place);
+  if (!(std::abs(before - bound) <= same * std::abs(step))) store_little(head, place, bound);
 }
 
 /// Waveforms may stand in one of the extended records.
@@ -118,8 +126,8 @@ std::string format_las_head(const std::string& header, unsigned minor, const Las
   for (std::size_t k = 0; k < 3; ++k) {
     store_little(head, las_at::scale + 8 * k, grid.scale[k]);
     store_little(head, las_at::offset + 8 * k, grid.offset[k]);
-    store_little(head, las_at::box + 16 * k, counts.high[k]);
-    store_little(head, las_at::box + 16 * k + 8, counts.low[k]);
+    store_bound(head, las_at::box + 16 * k, counts.high[k], grid.scale[k]);
+    store_bound(head, las_at::box + 16 * k + 8, counts.low[k], grid.scale[k]);
   }
   store_counts(head, minor, plan, counts);
   if (minor >= 3) store_waveforms(head, end, records);

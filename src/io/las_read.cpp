@@ -16,7 +16,7 @@
 namespace deburr {
 namespace {
 
-constexpr std::size_t block = 4096;  ///< points that are read at once
+constexpr std::size_t block = 1024;  ///< points that are read at once, which stay in the cache
 
 class LasReader {
  public:
