@@ -100,7 +100,6 @@ class Hostile : public testing::TestWithParam<std::size_t> {
 
 TEST(SmallFiles, KnowsHowManyFilesThereAre) { EXPECT_EQ(small_files().size(), small_file_count); }
 
-
 TEST_P(Hostile, EveryTruncationIsReadOrRefused) {
   int refused = 0;
   for (std::size_t length = 0; length < file.data.size(); ++length) {

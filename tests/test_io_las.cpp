@@ -272,6 +272,22 @@ TEST(Las, RefusesCoordinatesThatAreNotFinite) {
   EXPECT_EQ(dir.count(), 0);
 }
 
+TEST(Las, RefusesBlocksThatAreNoneOfLas) {
+  const TempDir dir;
+  PointCloud cloud = parsed(las_file({}));
+  for (HeaderBlock& block : cloud.layout.blocks) {
+    const std::string whole = block.data;
+    block.data.resize(20);
+    EXPECT_THROW((void)write_cloud(dir / "a.las", cloud), std::invalid_argument) << block.name;
+    block.data = whole;
+  }
+  EXPECT_EQ(dir.count(), 0);
+  cloud.layout.blocks[0].data[104] = 11;  // no point format
+  EXPECT_THROW((void)write_cloud(dir / "a.las", cloud), std::invalid_argument);
+  cloud.layout.blocks.clear();
+  EXPECT_EQ(parsed(written_as(dir, cloud, "a.las")).size(), cloud.size());
+}
+
 TEST(Las, NamesTheByteOfWhatIsWrong) {
   const std::string good = las_file({});
   const auto broken = [&](std::size_t at, auto value) {
@@ -292,6 +308,9 @@ TEST(Las, NamesTheByteOfWhatIsWrong) {
   EXPECT_THAT(broken(104, std::uint8_t{0x83}), HasSubstr("compressed (LAZ)"));
   EXPECT_THAT(broken(105, std::uint16_t{0}), HasSubstr("byte 105: points of 0 bytes"));
   EXPECT_THAT(broken(107, std::uint32_t{0xffffffff}), HasSubstr("point 6 of 4294967295"));
+  std::string many = las_file({.minor = 4, .format = 6});
+  put_at(many, 247, std::uint64_t{1} << 40);
+  EXPECT_THAT(error_of(many), HasSubstr("the file ends in point 6 of 1099511627776"));
   EXPECT_THAT(broken(131, 0.0), HasSubstr("byte 131: scale 0"));
   EXPECT_THAT(broken(163, std::numeric_limits<double>::infinity()), HasSubstr("byte 139: scale"));
 }

@@ -18,7 +18,8 @@ TEST(Obj, WritesPlainMeshesBack) {
   for (const std::string file :
        {"v 1 2 3\nv 4 5 6.5\nv 0.1 -0 1e+20\nf 1 2 3\nf 3 2 1\n", "v 1 2 3\n",
         "# by hand\n#\nv 1 2 3 0.25 0.5 1.5\nv 4 5 6 1 0 0\n", "v 1 2 3 1\nv 1 2 3 0.5\n",
-        "# art /\\\nv 1 2 3\n", "v 1 2 3\nv 4 5 6\nv 7 8 9\nv 0 0 0\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\nvn 0 0 2\n"
+        "# art /\\\nv 1 2 3\n",
+        "v 1 2 3\nv 4 5 6\nv 7 8 9\nv 0 0 0\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\nvn 0 0 2\n"
         "f 1//1 2//2 3//3 4//4\n"}) {
     SCOPED_TRACE(file);
     const PointCloud cloud = parsed(file);

@@ -133,6 +133,7 @@ std::optional<FormatInfo> output_format(const std::filesystem::path& path,
 
 std::vector<std::string> doubts_about(const PointCloud& cloud) {
   std::vector<std::string> names;
+  names.reserve(cloud.layout.fields.size());
   for (const Field& field : cloud.layout.fields) names.push_back(field.name);
   const std::size_t x = find_role(find_roles(names), 0);
   if (x == names.size() || cloud.layout.fields[x].type != ScalarType::Float32) return {};

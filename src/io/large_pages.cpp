@@ -13,10 +13,10 @@ void prefer_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size
   // Below this, memory is shared with other objects and pages are few.
   constexpr std::size_t least = std::size_t{1} << 22;
   if (bytes < least) return;
-  constexpr std::uintptr_t page = 4096;
-  const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page;
-  const auto last = (reinterpret_cast<std::uintptr_t>(begin) + bytes) / page * page;
-  (void)::madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+  constexpr std::size_t page = 4096;
+  const std::size_t skipped = (page - reinterpret_cast<std::uintptr_t>(begin) % page) % page;
+  (void)::madvise(static_cast<char*>(begin) + skipped, (bytes - skipped) / page * page,
+                  MADV_HUGEPAGE);
 #endif
 }
 

@@ -142,7 +142,7 @@ class PcdWriter {
     }
     std::size_t count = 1;
     if (attribute.is_list()) {
-      count = cloud_.size() > 0 ? attribute.offsets[1] : 1;
+      count = cloud_.size() > 0 ? attribute.offsets[1] : 2;
       for (std::size_t i = 0; i < cloud_.size(); ++i) {
         if (attribute.offsets[i + 1] != (i + 1) * count) count = 0;
       }

@@ -43,7 +43,7 @@ class TextRow {
   }
 
   template <typename T>
-  T parse(std::string_view token, std::string_view what) const {
+  [[nodiscard]] T parse(std::string_view token, std::string_view what) const {
     const std::optional<T> value = parse_number<T>(token);
     if (!value && is_decimal_comma(token)) fail(std::string(decimal_comma_error));
     if (!value) fail(fmt::format("'{}' is no value for {}", token, what));
