@@ -69,8 +69,7 @@ std::vector<SmallFile> small_files() {
           {"obj", "obj",
            "# c\nmtllib a\nv 1 2 3 0.5 0 1\nv 4 5 6 1 1 1\nv 7 8 9 0 0 0\nvt 0 1\nvn 0 0 1\n"
            "f 1/1/1 2/1/1 3/1/1\nf -1//1 1//1 -2//1\n"},
-          {"off", "off", "NCOFF # c\n3 1 0\n"},
-          {"off_color", "off",
+          {"off", "off",
            "CNOFF\n# c\n3 2 0\n1 2 3 0 0 1 255 0 7\n4 5 6 0 1 0 1 2 3\n7 8 9 1 0 0 9 9 9\n"
            "3 0 1 2\n4 2 1 0 1 0.5 0.25 0.125\n"},
           {"stl", "stl", stl()},
@@ -90,7 +89,7 @@ std::string error_as(const std::string& data, const std::string& format) {
   }
 }
 
-constexpr std::size_t small_file_count = 10;
+constexpr std::size_t small_file_count = 9;
 
 class Hostile : public testing::TestWithParam<std::size_t> {
  protected:
@@ -109,13 +108,12 @@ TEST_P(Hostile, EveryTruncationIsReadOrRefused) {
     if (error.empty()) continue;
     EXPECT_THAT(error, testing::MatchesRegex("given: .*(byte|line|empty|no vertices|DATA).*"));
   }
-  EXPECT_GT(refused, 0);
+  // Of a text, the last line may be cut off or end early.
+  const bool is_text = file.name.ends_with("ascii") || file.format == "obj" || file.format == "off";
+  EXPECT_GT(refused, is_text ? 0 : static_cast<int>(file.data.size()) - 1);
 }
 
-TEST_P(Hostile, SurvivesRandomDamage) {
-  if (file.name == "off") GTEST_SKIP() << "is damaged as it is";
-  fuzz(file.data, 5, 1000);
-}
+TEST_P(Hostile, SurvivesRandomDamage) { fuzz(file.data, 5, 1000); }
 
 // What is read can be written, and is then read as the same.
 TEST_P(Hostile, WritesWhateverItAccepts) {
@@ -146,7 +144,7 @@ TEST_P(Hostile, WritesWhateverItAccepts) {
     EXPECT_TRUE(same_values(again.normals, cloud.normals));
     expect_same(again.attributes, cloud.attributes);
   }
-  EXPECT_TRUE(accepted > 5 || file.name == "off") << accepted;
+  EXPECT_GT(accepted, 5);
 }
 
 // Whatever the eight bytes at any place say, no memory is taken on their word.
@@ -208,7 +206,6 @@ TEST(Locale, PlaysNoRole) {
   if (!found) GTEST_SKIP() << "no locale with a decimal comma is installed";
   const TempDir dir;
   for (const SmallFile& file : small_files()) {
-    if (file.name == "off") continue;
     const PointCloud cloud = parsed(file.data, file.format);
     const std::string here = written_as(dir, cloud, "a." + file.format);
     ASSERT_NE(std::setlocale(LC_ALL, "C"), nullptr);

@@ -113,12 +113,13 @@ LasParts parts_with_extras() {
     bytes += sizes[type - 1];
   }
   descriptors += las_descriptor("scaled", 6, 24, 0.001, 17);
+  descriptors += las_descriptor("wide", 8, 8, 0.001);  // which doubles would not give back
   descriptors += las_descriptor("pair", 15);
   descriptors += las_descriptor("raw", 0, 3);
   LasParts parts{.minor = 4, .format = 6};
   parts.records = las_record("LASF_Spec", 4, descriptors) + las_record("a", 1, "b");
   parts.record_count = 2;
-  parts.extra_bytes = bytes + 4 + 8 + 3 + 2;  // two that nothing describes
+  parts.extra_bytes = bytes + 4 + 8 + 8 + 3 + 2;  // two that nothing describes
   return parts;
 }
 
@@ -136,6 +137,7 @@ TEST(Las, KeepsExtraBytesOfEveryType) {
     EXPECT_EQ(a->type(), expected[type]);
   }
   EXPECT_EQ(values_of<double>(cloud, "scaled").size(), 5U);
+  EXPECT_EQ(values_of<std::int64_t>(cloud, "wide").size(), 5U);
   EXPECT_EQ(values_of<std::uint32_t>(cloud, "pair").size(), 10U);
   EXPECT_EQ(values_of<std::uint8_t>(cloud, "raw").size(), 15U);
   EXPECT_EQ(values_of<std::uint8_t>(cloud, "extra_bytes").size(), 10U);
