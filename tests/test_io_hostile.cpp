@@ -204,8 +204,9 @@ TEST(Locale, PlaysNoRole) {
                       std::string(std::localeconv()->decimal_point) == ",");
   }
   if (!found) GTEST_SKIP() << "no locale with a decimal comma is installed";
+  const std::vector<SmallFile> files = small_files();
   const TempDir dir;
-  for (const SmallFile& file : small_files()) {
+  for (const SmallFile& file : files) {
     const PointCloud cloud = parsed(file.data, file.format);
     const std::string here = written_as(dir, cloud, "a." + file.format);
     ASSERT_NE(std::setlocale(LC_ALL, "C"), nullptr);

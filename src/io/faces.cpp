@@ -25,25 +25,26 @@ Element make_faces(std::vector<std::int32_t> corners, std::vector<std::size_t> o
           false};
 }
 
-std::optional<std::vector<std::uint32_t>> valid_corners(const Attribute& faces,
-                                                        std::size_t points) {
-  return std::visit(
-      [&]<typename T>(const std::vector<T>& values) -> std::optional<std::vector<std::uint32_t>> {
+Faces valid_faces(const FileLayout& layout, std::size_t points) {
+  Faces faces{find_faces(layout), {}};
+  if (faces.attribute == nullptr) return faces;
+  std::visit(
+      [&]<typename T>(const std::vector<T>& values) {
         if constexpr (std::is_integral_v<T>) {
-          std::vector<std::uint32_t> corners;
-          corners.reserve(values.size());
+          faces.corners.reserve(values.size());
           for (const T value : values) {
             if (!std::in_range<std::uint32_t>(value) || std::cmp_greater_equal(value, points)) {
-              return std::nullopt;
+              faces.attribute = nullptr;
+              return;
             }
-            corners.push_back(static_cast<std::uint32_t>(value));
+            faces.corners.push_back(static_cast<std::uint32_t>(value));
           }
-          return corners;
         } else {
-          return std::nullopt;
+          faces.attribute = nullptr;
         }
       },
-      faces.values);
+      faces.attribute->values);
+  return faces;
 }
 
 }  // namespace deburr

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,9 +20,22 @@ namespace deburr {
 [[nodiscard]] Element make_faces(std::vector<std::int32_t> corners,
                                  std::vector<std::size_t> offsets);
 
-/// The corners of all faces one after the other; none if one of them is no point of the cloud or
-/// no integer.
-[[nodiscard]] std::optional<std::vector<std::uint32_t>> valid_corners(const Attribute& faces,
-                                                                      std::size_t points);
+/// Faces as writers want them.
+struct Faces {
+  const Attribute* attribute = nullptr;  ///< null if there are none that can be written
+  std::vector<std::uint32_t> corners;    ///< of all faces, one after the other
+
+  [[nodiscard]] std::size_t size() const {
+    return attribute != nullptr ? attribute->offsets.size() - 1 : 0;
+  }
+  /// The corners of one face.
+  [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t face) const {
+    const std::size_t begin = attribute->offsets[face];
+    return {corners.data() + begin, attribute->offsets[face + 1] - begin};
+  }
+};
+
+/// The faces of a layout; none if a corner is no point of the cloud or no integer.
+[[nodiscard]] Faces valid_faces(const FileLayout& layout, std::size_t points);
 
 }  // namespace deburr

@@ -144,6 +144,7 @@ class LasWriter {
           if constexpr (!std::is_same_v<V, std::string>) {
             with_number_type(field.type, [&]<typename T>(std::type_identity<T>) {
               for (std::size_t i = begin; i < end; ++i, to += stride) {
+                // A signed byte is a number here. NOLINTNEXTLINE(bugprone-signed-char-misuse)
                 const T value = static_cast<T>(values[i]);
                 if constexpr (std::is_same_v<T, std::uint8_t>) {
                   *to = static_cast<char>(static_cast<unsigned char>(*to) |

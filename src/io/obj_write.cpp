@@ -100,23 +100,20 @@ class ObjWriter {
   }
 
   void find_corners() {
-    faces_ = find_faces(cloud_.layout);
-    if (faces_ != nullptr) corners_ = valid_corners(*faces_, cloud_.size());
-    losses_.add_elements(cloud_.layout, {corners_ ? faces_ : nullptr});
+    faces_ = valid_faces(cloud_.layout, cloud_.size());
+    losses_.add_elements(cloud_.layout, {faces_.attribute});
   }
 
   void write_anew() {
     append_comments(buffer_, cloud_.layout);
     append_vertices(0, cloud_.size());
     append_normals();
-    if (!corners_) return;
-    for (std::size_t face = 0; face + 1 < faces_->offsets.size(); ++face) {
+    for (std::size_t face = 0; face < faces_.size(); ++face) {
       if (face % block == 0) job_.flush(buffer_);
       buffer_ += 'f';
-      for (std::size_t k = faces_->offsets[face]; k < faces_->offsets[face + 1]; ++k) {
-        const std::uint32_t corner = (*corners_)[k] + 1;
-        append_number(buffer_ += ' ', corner);
-        if (!cloud_.normals.empty()) append_number(buffer_ += "//", corner);
+      for (const std::uint32_t corner : faces_[face]) {
+        append_number(buffer_ += ' ', corner + 1);
+        if (!cloud_.normals.empty()) append_number(buffer_ += "//", corner + 1);
       }
       buffer_ += '\n';
     }
@@ -184,8 +181,7 @@ class ObjWriter {
   std::vector<Column> columns_;
   const std::string* kept_ = nullptr;
   std::vector<const Attribute*> numbers_;
-  const Attribute* faces_ = nullptr;
-  std::optional<std::vector<std::uint32_t>> corners_;
+  Faces faces_;
   Losses losses_{"OBJ"};
   std::string buffer_;
 };

@@ -22,10 +22,9 @@ class OffWriter {
   explicit OffWriter(const WriteJob& job)
       : job_(job), cloud_(job.cloud), columns_(columns_of(job.cloud)) {
     find_numbers();
-    faces_ = find_faces(cloud_.layout);
-    if (faces_ != nullptr) corners_ = valid_corners(*faces_, cloud_.size());
+    faces_ = valid_faces(cloud_.layout, cloud_.size());
     find_face_colors();
-    losses_.add_elements(cloud_.layout, {corners_ ? faces_ : nullptr, face_colors_});
+    losses_.add_elements(cloud_.layout, {faces_.attribute, face_colors_});
     losses_.add_foreign_blocks(cloud_.layout, "OFF ");
   }
 
@@ -38,7 +37,7 @@ class OffWriter {
       for (const Attribute* a : numbers_) append_value(*a, i);
       buffer_.back() = '\n';
     }
-    if (corners_) write_faces();
+    write_faces();
     job_.flush(buffer_);
     return losses_.take();
   }
@@ -81,7 +80,7 @@ class OffWriter {
 
   void find_face_colors() {
     for (const Element& element : cloud_.layout.elements) {
-      if (element.name != "face" || !corners_) continue;
+      if (element.name != "face" || faces_.attribute == nullptr) continue;
       const auto found = std::ranges::find(element.attributes, "color", &Attribute::name);
       const bool usable = found != element.attributes.end() && found->is_list() &&
                           is_color(*found) && found->type() != ScalarType::Text;
@@ -93,18 +92,16 @@ class OffWriter {
     buffer_ = fmt::format("{}{}{}OFF\n", has_texture_ ? "ST" : "", has_colors_ ? "C" : "",
                           cloud_.normals.empty() ? "" : "N");
     append_comments(buffer_, cloud_.layout);
-    buffer_ += fmt::format("{} {} 0\n", cloud_.size(), corners_ ? faces_->offsets.size() - 1 : 0);
+    buffer_ += fmt::format("{} {} 0\n", cloud_.size(), faces_.size());
   }
 
   void write_faces() {
-    for (std::size_t face = 0; face + 1 < faces_->offsets.size(); ++face) {
+    for (std::size_t face = 0; face < faces_.size(); ++face) {
       if (face % block == 0) job_.flush(buffer_);
-      const std::size_t begin = faces_->offsets[face];
-      const std::size_t end = faces_->offsets[face + 1];
-      append_number(buffer_, end - begin);
+      append_number(buffer_, faces_[face].size());
       buffer_ += ' ';
-      for (std::size_t k = begin; k < end; ++k) {
-        append_number(buffer_, (*corners_)[k]);
+      for (const std::uint32_t corner : faces_[face]) {
+        append_number(buffer_, corner);
         buffer_ += ' ';
       }
       if (face_colors_ != nullptr) {
@@ -146,9 +143,8 @@ class OffWriter {
   std::vector<const Attribute*> numbers_;
   bool has_colors_ = false;
   bool has_texture_ = false;
-  const Attribute* faces_ = nullptr;
+  Faces faces_;
   const Attribute* face_colors_ = nullptr;
-  std::optional<std::vector<std::uint32_t>> corners_;
   Losses losses_{"OFF"};
   std::string buffer_;
 };

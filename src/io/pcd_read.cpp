@@ -64,7 +64,7 @@ class PcdReader {
     if (header_.encoding == Encoding::PcdAscii) {
       std::size_t values = 0;
       for (const PcdField& field : header_.fields) values += field.count;
-      held = (left + 1) / (2 * values);
+      held = values > 0 ? (left + 1) / (2 * values) : 0;
     }
     if (header_.encoding == Encoding::PcdCompressed) {
       held = left * lzf_most_growth / header_.point_bytes;
@@ -74,6 +74,7 @@ class PcdReader {
 
   void make_targets() {
     std::vector<std::string> names;
+    names.reserve(header_.fields.size());
     for (const PcdField& field : header_.fields) {
       names.push_back(field.count == 1 ? field.name : "");
     }

@@ -54,12 +54,11 @@ class StlWriter {
 
  private:
   void find_faces_and_more() {
-    faces_ = find_faces(cloud_.layout);
-    if (faces_ != nullptr) corners_ = valid_corners(*faces_, cloud_.size());
-    if (!corners_ || (corners_->empty() && cloud_.size() > 0)) {
+    faces_ = valid_faces(cloud_.layout, cloud_.size());
+    if (faces_.attribute == nullptr || (faces_.corners.empty() && cloud_.size() > 0)) {
       throw DataError("STL holds faces only, and there are none");
     }
-    std::vector<const Attribute*> kept{faces_};
+    std::vector<const Attribute*> kept{faces_.attribute};
     for (const Element& element : cloud_.layout.elements) {
       if (element.name != "face") continue;
       const auto find = [&](std::string_view name) -> const Attribute* {
@@ -91,17 +90,18 @@ class StlWriter {
 
   void find_lonely_points() {
     std::vector<bool> used(cloud_.size());
-    for (const std::uint32_t corner : *corners_) used[corner] = true;
+    for (const std::uint32_t corner : faces_.corners) used[corner] = true;
     const auto lonely = std::ranges::count(used, false);
     if (lonely > 0) {
       losses_.add(fmt::format("STL holds points of faces only, {} others were left out", lonely));
     }
     std::size_t triangles = 0;
     bool has_others = false;
-    for_each_face([&](std::size_t, std::size_t begin, std::size_t end) {
-      has_others = has_others || end - begin != 3;
-      triangles += end - begin < 3 ? 0 : end - begin - 2;
-    });
+    for (std::size_t face = 0; face < faces_.size(); ++face) {
+      const std::size_t corners = faces_[face].size();
+      has_others = has_others || corners != 3;
+      triangles += corners < 3 ? 0 : corners - 2;
+    }
     if (has_others) losses_.add("STL holds triangles only, other faces were split or left out");
     if (triangles > std::numeric_limits<std::uint32_t>::max()) {
       throw DataError("STL cannot hold more than 2^32 triangles");
@@ -109,25 +109,18 @@ class StlWriter {
     triangles_ = triangles;
   }
 
-  template <typename F>
-  void for_each_face(const F& f) const {
-    for (std::size_t face = 0; face + 1 < faces_->offsets.size(); ++face) {
-      f(face, faces_->offsets[face], faces_->offsets[face + 1]);
-    }
-  }
-
   /// Calls f(face, corners, normal) for all triangles.
   template <typename F>
   void for_each_triangle(const F& f) {
-    for_each_face([&](std::size_t face, std::size_t begin, std::size_t end) {
+    for (std::size_t face = 0; face < faces_.size(); ++face) {
       if (face % block == 0) job_.flush(buffer_);
-      for (std::size_t k = begin + 2; k < end; ++k) {
-        const std::array<Vec3, 3> corners{cloud_.points[(*corners_)[begin]],
-                                          cloud_.points[(*corners_)[k - 1]],
-                                          cloud_.points[(*corners_)[k]]};
+      const std::span<const std::uint32_t> indices = faces_[face];
+      for (std::size_t k = 2; k < indices.size(); ++k) {
+        const std::array<Vec3, 3> corners{cloud_.points[indices[0]], cloud_.points[indices[k - 1]],
+                                          cloud_.points[indices[k]]};
         f(face, corners, normal(face, corners));
       }
-    });
+    }
   }
 
   /// The normal of the input stays, to the last bit, where it still is one; zero stands for none.
@@ -201,8 +194,7 @@ class StlWriter {
   const PointCloud& cloud_;
   std::vector<Column> columns_;
   bool is_text_ = false;
-  const Attribute* faces_ = nullptr;
-  std::optional<std::vector<std::uint32_t>> corners_;
+  Faces faces_;
   std::array<const Attribute*, 3> normals_{};
   const std::vector<std::uint16_t>* words_ = nullptr;
   const std::vector<std::uint32_t>* solids_ = nullptr;
