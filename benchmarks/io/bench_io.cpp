@@ -88,11 +88,7 @@ void measure(const std::string& name, const std::string& extension, const PointC
   fs::remove(copy);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const std::size_t points = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 2'000'000;
-  const fs::path folder = argc > 2 ? argv[2] : "/dev/shm";
+void run_all(std::size_t points, const fs::path& folder) {
   std::printf("%zu points in %s; MB/s, best of %d; cat: through a pipe, and to a file\n", points,
               folder.c_str(), repeats);
   std::printf("%-16s %8s %10s %10s %8s %10s %10s %8s\n", "", "MB", "read", "cat |", "ratio",
@@ -107,4 +103,16 @@ int main(int argc, char** argv) {
   packed.layout.encoding = deburr::Encoding::PcdCompressed;
   measure("pcd compressed", "pcd", packed, folder);
   measure("csv", "csv", doubles, folder);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    run_all(argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 2'000'000,
+            argc > 2 ? argv[2] : "/dev/shm");
+  } catch (const std::exception& error) {
+    (void)std::fprintf(stderr, "bench_io: %s\n", error.what());
+    return 1;
+  }
 }

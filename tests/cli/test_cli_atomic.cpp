@@ -31,20 +31,21 @@ class CliAtomic : public CliTest {
 
 /// A run that writes a megabyte or more.
 std::vector<std::string> big_run(const std::string& out) {
-  return {"synth", "cube", out, "--points", "30000", "--quiet"};
+  return {"synth", "cube", out, "--points", "60000", "--quiet"};
 }
 
 TEST_F(CliAtomic, KilledAtAnyMoment) {
-  ASSERT_EQ(run_program(big_run("whole.ply")).exit_code, 0);
-  const std::string whole = read_text("whole.ply");
+  // Text takes longest to write, so that most of the moments lie there.
+  ASSERT_EQ(run_program(big_run("whole.csv")).exit_code, 0);
+  const std::string whole = read_text("whole.csv");
   const int nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
-  for (unsigned i = 0; i < 24; ++i) {
-    write_text("out.ply", "precious");
-    const pid_t process = start_program(big_run("out.ply"), nothing, nothing);
-    (void)usleep(i * 4000);
+  for (unsigned i = 0; i < 32; ++i) {
+    write_text("out.csv", "precious");
+    const pid_t process = start_program(big_run("out.csv"), nothing, nothing);
+    (void)usleep(i * 1500);
     (void)kill(process, SIGKILL);
     (void)wait_for_exit(process);
-    const std::string left = read_text("out.ply");
+    const std::string left = read_text("out.csv");
     EXPECT_TRUE(left == "precious" || left == whole) << i << ": " << left.size();
   }
   close(nothing);
