@@ -146,7 +146,7 @@ void summarize_displacement(const DenoiseResult& result, DenoiseSummary& summary
 
 /// Everything that can be refused before the input is read.
 FormatInfo check(const DenoiseArgs& args) {
-  const FormatInfo format = check_cloud_output(args.output, args.format);
+  FormatInfo format = check_cloud_output(args.output, args.format);
   check_in_format(args.in_format);
   check_json(args.output, args.common.json);
   if (!args.report.empty()) {

@@ -50,15 +50,17 @@ void append_copy(std::string& packed, std::size_t back, std::size_t length) {
 }  // namespace
 
 std::optional<std::string> lzf_unpack(std::string_view packed, std::size_t size) {
-  std::string data;
-  data.reserve(size);
+  std::string data(size, '\0');
+  char* const begin = data.data();
+  std::size_t done = 0;
   for (std::size_t i = 0; i < packed.size();) {
     const std::size_t code = byte_at(packed, i++);
     if (code < longest_literal) {
       const std::size_t count = code + 1;
-      if (packed.size() - i < count || size - data.size() < count) return std::nullopt;
-      data += packed.substr(i, count);
+      if (packed.size() - i < count || size - done < count) return std::nullopt;
+      std::copy_n(packed.data() + i, count, begin + done);
       i += count;
+      done += count;
       continue;
     }
     std::size_t length = (code >> 5) + 2;
@@ -68,11 +70,13 @@ std::optional<std::string> lzf_unpack(std::string_view packed, std::size_t size)
     }
     if (i == packed.size()) return std::nullopt;
     const std::size_t back = ((code & 31) << 8 | byte_at(packed, i++)) + 1;
-    if (back > data.size() || size - data.size() < length) return std::nullopt;
+    if (back > done || size - done < length) return std::nullopt;
     // Byte by byte: a copy may run into what it has written itself.
-    for (std::size_t from = data.size() - back; length > 0; --length) data += data[from++];
+    char* const to = begin + done;
+    for (std::size_t k = 0; k < length; ++k) to[k] = *(to - back + k);
+    done += length;
   }
-  if (data.size() != size) return std::nullopt;
+  if (done != size) return std::nullopt;
   return data;
 }
 
