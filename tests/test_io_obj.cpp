@@ -111,6 +111,8 @@ TEST(Obj, NamesTheLineOfWhatIsWrong) {
   EXPECT_EQ(error_of("v 1 2 3\nf 1 0 1\n"), "line 2: a face has vertex 0");
   EXPECT_EQ(error_of("v 1 2 3\nf 1 -2 1\n"), "line 2: a face has vertex -2");
   EXPECT_EQ(error_of("v 1 2 3\nf 1/1/1/1 1 1\n"), "line 2: a corner has at most three indices");
+  EXPECT_EQ(error_of("v 1 2 3\nvn 0 0 1 \\\nv 1 2 3\n"),
+            "line 2: faces and normals of more than one line are not read");
   EXPECT_EQ(error_of("v 1 2 3\nhello\n"), "line 2: unknown keyword 'hello'");
   EXPECT_EQ(error_of("v 1 2 3\nf 1 99999999999 1\n"),
             "line 2: '99999999999' is no value for a corner");

@@ -71,7 +71,9 @@ class ObjReader {
     // The line goes on, so that the next one is no vertex.
     const bool may_go_on = !keyword.starts_with('#');
     while (may_go_on && lines_.line().ends_with('\\') && lines_.next()) {
-      if (keyword == "f") row.fail("faces of more than one line are not read");
+      if (keyword == "f" || keyword == "vn") {
+        row.fail("faces and normals of more than one line are not read");
+      }
       kept_ += lines_.line();
       kept_ += '\n';
     }
