@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "args.hpp"
 
+#include <fmt/ranges.h>
+
+#include "deburr/io.hpp"
 #include "deburr/version.hpp"
 
 namespace deburr::cli {
@@ -14,6 +17,21 @@ void add_common_options(CLI::App& command, CommonArgs& args, const char* example
   command.add_flag("--quiet", args.quiet, "Print nothing on stderr but errors");
   command.set_version_flag("--version", fmt::format("deburr {}", version), "Print the version");
   command.footer(fmt::format("Examples:\n{}", examples));
+}
+
+void add_in_format(CLI::App& command, std::string& format) {
+  command
+      .add_option("--in-format", format,
+                  "Format of the input, e.g. csv; without it, its content and extension tell")
+      ->option_text("NAME");
+}
+
+void add_format(CLI::App& command, std::string& format) {
+  command
+      .add_option(
+          "--format", format,
+          fmt::format("Format of OUT instead of its extension: {}", fmt::join(format_names(), " ")))
+      ->option_text("NAME");
 }
 
 std::string refuse_negative(const std::string& number) {

@@ -26,6 +26,16 @@ void add_common_options(CLI::App& command, CommonArgs& args, const char* example
 CLI::Option* add_file(CLI::App& command, const std::string& name, std::string& value,
                       const std::string& description);
 
+/// What a command that reads a cloud says of its argument.
+inline constexpr const char* cloud_help =
+    "Point cloud: PLY, LAS, PCD, STL, OBJ, OFF, or text with x y z in each line; - is stdin";
+
+/// Adds --in-format, the format of the cloud that is read.
+void add_in_format(CLI::App& command, std::string& format);
+
+/// Adds --format, the format of the cloud that is written.
+void add_format(CLI::App& command, std::string& format);
+
 /// The complaint about a number with a minus sign, empty for others; a check for CLI11.
 [[nodiscard]] std::string refuse_negative(const std::string& number);
 

@@ -106,6 +106,7 @@ CloudInfo measure(const PointCloud& cloud, int threads, ProgressBar& bar) {
     ElementInfo& other = info.elements.emplace_back(element.name, element.size);
     std::ranges::transform(element.attributes, std::back_inserter(other.fields), describe);
   }
+  for (const HeaderBlock& block : cloud.layout.blocks) info.blocks.push_back(block.name);
   info.comments = cloud.layout.comments.size();
   return info;
 }
@@ -127,6 +128,7 @@ nlohmann::ordered_json to_json(const CloudInfo& info) {
           {"noise_in_spacings", info.noise_in_spacings()},
           {"fields", to_json(info.fields)},
           {"elements", elements},
+          {"blocks", info.blocks},
           {"comments", info.comments}};
 }
 
@@ -153,6 +155,7 @@ std::string to_text(const CloudInfo& info) {
     line("element",
          fmt::format("{}: {} of ({})", element.name, element.size, to_text(element.fields)));
   }
+  for (const std::string& block : info.blocks) line("block", block);
   line("comments", fmt::format("{}", info.comments));
   return text;
 }

@@ -42,6 +42,7 @@ struct CloudInfo {
   double noise = 0;            ///< estimated standard deviation across the surface
   std::vector<FieldInfo> fields;
   std::vector<ElementInfo> elements;
+  std::vector<std::string> blocks;  ///< what only the format of the file understands
   std::size_t comments = 0;
 
   [[nodiscard]] double noise_in_spacings() const { return spacing > 0 ? noise / spacing : 0; }

@@ -29,6 +29,7 @@ struct CompareArgs {
   std::string truth;
   std::string clean;
   std::string distances;
+  std::string in_format;
   CompareOptions options;
 };
 
@@ -62,7 +63,8 @@ void run(CompareArgs& args) {
     check_different("--distances", args.distances, args.clean);
   }
   args.options.threads = args.common.threads;
-  const PointCloud cloud = read_cloud(args.cloud, interrupted);
+  check_in_format(args.in_format);
+  const PointCloud cloud = read_cloud(args.cloud, interrupted, args.in_format);
   const Truth truth = read_mesh_or_cloud(args.truth, interrupted);
   std::optional<PointCloud> clean;
   if (!args.clean.empty()) clean = read_cloud(args.clean, interrupted);
@@ -103,9 +105,10 @@ void add_compare_command(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("compare", "Measure how far points lie from a true surface");
   const auto args = std::make_shared<CompareArgs>();
-  add_file(*command, "CLOUD", args->cloud, "Point cloud: PLY, or text with x y z in each line");
+  add_file(*command, "CLOUD", args->cloud, cloud_help);
+  add_in_format(*command, args->in_format);
   add_file(*command, "--truth", args->truth,
-           "The true surface: a PLY file with faces, or a cloud of points on it")
+           "The true surface: a file with faces (PLY, STL, OBJ, OFF), or a cloud of points on it")
       ->option_text("MESH_OR_CLOUD REQUIRED");
   command
       ->add_option(

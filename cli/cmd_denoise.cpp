@@ -25,6 +25,7 @@ namespace {
 constexpr const char* examples =
     "  deburr denoise scan.ply clean.ply\n"
     "  deburr denoise scan.ply clean.ply --report report.json --quiet\n"
+    "  deburr denoise scan.las clean.las --outliers label\n"
     "  deburr denoise scan.xyz clean.xyz --strength 2 --outliers remove\n"
     "  deburr denoise scan.xyz clean.ply --method yadav2018 --rho 0.95 --add label,displacement";
 
@@ -42,13 +43,15 @@ struct DenoiseArgs {
   std::string output;
   std::string report;
   std::string add;
+  std::string in_format;
+  std::string format;
   DenoiseOptions options;
 };
 
-/// What --add asks for. Text names no columns, so nothing is added to it unless asked for.
-AddedFields parse_added_fields(const DenoiseArgs& args) {
+/// What --add asks for. Where new fields have no names, nothing is added unless asked for.
+AddedFields parse_added_fields(const DenoiseArgs& args, const FormatInfo& format) {
   if (args.add.empty()) {
-    const bool named = extension(args.output) == ".ply";
+    const bool named = format.takes_any_field;
     return {named, named, named, named};
   }
   AddedFields add;
@@ -77,9 +80,24 @@ void set_attribute(PointCloud& cloud, const std::string& name, Values values) {
   attribute = {.name = name, .values = std::move(values), .offsets = {}};
 }
 
+/// LAS has a class for outliers, low noise, which all its programs know.
+void classify_outliers(PointCloud& cloud, const std::vector<std::uint8_t>& outliers) {
+  constexpr std::uint8_t low_noise = 7;
+  const auto found = std::ranges::find(cloud.attributes, "classification", &Attribute::name);
+  std::vector<std::uint8_t> classes(cloud.size());
+  if (found != cloud.attributes.end()) {
+    const auto* const before = std::get_if<std::vector<std::uint8_t>>(&found->values);
+    if (before != nullptr) classes = *before;
+  }
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    if (outliers[i] != 0) classes[i] = low_noise;
+  }
+  set_attribute(cloud, "classification", std::move(classes));
+}
+
 /// Leaves in the cloud what is to be written, and returns the names of the fields added.
-std::vector<std::string> add_fields(DenoiseResult& result, const AddedFields& add,
-                                    bool had_normals) {
+std::vector<std::string> add_fields(DenoiseResult& result, const AddedFields& add, bool had_normals,
+                                    bool is_las) {
   std::vector<std::string> names;
   // Only a header can tell what a new column of a text file is.
   TextHeader& header = result.cloud.layout.text.header;
@@ -106,7 +124,10 @@ std::vector<std::string> add_fields(DenoiseResult& result, const AddedFields& ad
     }
     set_attribute(result.cloud, names.emplace_back("deburr_displacement"), std::move(values));
   }
-  if (add.outlier) {
+  if (add.outlier && is_las) {
+    names.emplace_back("classification");
+    classify_outliers(result.cloud, result.outliers);
+  } else if (add.outlier) {
     set_attribute(result.cloud, names.emplace_back("deburr_outlier"), std::move(result.outliers));
   }
   return names;
@@ -124,8 +145,10 @@ void summarize_displacement(const DenoiseResult& result, DenoiseSummary& summary
 }
 
 /// Everything that can be refused before the input is read.
-void check(const DenoiseArgs& args) {
-  check_cloud_output(args.output);
+FormatInfo check(const DenoiseArgs& args) {
+  FormatInfo format = check_cloud_output(args.output, args.format);
+  check_in_format(args.in_format);
+  check_json(args.output, args.common.json);
   if (!args.report.empty()) {
     check_different("--report", args.report, args.input);
     check_different("--report", args.report, args.output);
@@ -135,11 +158,21 @@ void check(const DenoiseArgs& args) {
   DenoiseOptions options = args.options;
   options.normals = NormalSource::Auto;
   (void)denoise({}, options);
+  return format;
+}
+
+/// A grid of coordinates has to tell apart what the movement did, but nothing far below the
+/// distance of the points.
+double resolution_for(const DenoiseSummary& summary) {
+  constexpr double of_move = 1.0 / 32;
+  constexpr double of_spacing = 1e-4;
+  if (!(summary.rms_displacement > 0)) return 0;
+  return std::max(of_move * summary.rms_displacement, of_spacing * summary.report.spacing);
 }
 
 void run(const DenoiseArgs& args) {
-  const AddedFields add = parse_added_fields(args);
-  check(args);
+  const FormatInfo format = check(args);
+  const AddedFields add = parse_added_fields(args, format);
   ProgressBar bar(args.common.quiet);
   const Execution execution{.threads = args.common.threads,
                             .progress = [&bar](const Progress& progress) { bar.update(progress); },
@@ -149,9 +182,12 @@ void run(const DenoiseArgs& args) {
 
   const double started = steady_seconds();
   DenoiseResult result;
-  result.cloud = read_cloud(args.input, interrupted);
+  result.cloud = read_cloud(args.input, interrupted, args.in_format);
   const double reading = steady_seconds() - started;
 
+  for (const std::string& doubt : doubts_about(result.cloud)) {
+    summary.warnings.push_back(fmt::format("{}: {}", args.input, doubt));
+  }
   const std::size_t points = result.cloud.size();
   if (std::ranges::any_of(result.cloud.points, is_finite)) {
     const bool had_normals = !result.cloud.normals.empty();
@@ -170,7 +206,8 @@ void run(const DenoiseArgs& args) {
       }
     }
     summarize_displacement(result, summary);
-    summary.added = add_fields(result, add, had_normals);
+    summary.added = add_fields(result, add, had_normals, format.name == "las");
+    result.cloud.layout.resolution = resolution_for(summary);
   } else {
     summary.report.points = points;
     summary.report.kept = points;
@@ -181,7 +218,7 @@ void run(const DenoiseArgs& args) {
 
   bar.clear();
   const double writing = steady_seconds();
-  for (std::string& warning : write_cloud(args.output, result.cloud, interrupted)) {
+  for (std::string& warning : write_cloud(args.output, result.cloud, interrupted, args.format)) {
     summary.warnings.push_back(std::move(warning));
   }
   std::vector<StageTime>& stages = summary.report.stages;
@@ -202,14 +239,18 @@ void run(const DenoiseArgs& args) {
 void add_denoise_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("denoise", "Take the noise off a point cloud");
   const auto args = std::make_shared<DenoiseArgs>();
-  add_file(*command, "IN", args->input, "Point cloud: PLY, or text with x y z in each line");
-  add_file(*command, "OUT", args->output, "Where to write it; may be IN: .ply .xyz .txt .csv ...");
+  add_file(*command, "IN", args->input, cloud_help);
+  add_file(
+      *command, "OUT", args->output,
+      "Where to write it; may be IN: .ply .las .pcd .stl .obj .off .xyz .csv ...; - is stdout");
+  add_in_format(*command, args->in_format);
+  add_format(*command, args->format);
   add_denoise_options(*command, args->options);
   command
       ->add_option(
           "--add", args->add,
           "What to write for every point: normals,label,displacement,outlier, some or none")
-      ->option_text("LIST [all to PLY, none to text]");
+      ->option_text("LIST [all to PLY, LAS and PCD, else none]");
   command->add_option("--report", args->report, "Write the summary to this file, as JSON")
       ->option_text("FILE");
   add_common_options(*command, args->common, examples);

@@ -10,6 +10,7 @@
 #include "deburr/version.hpp"
 #include "interrupt.hpp"
 #include "json_line.hpp"
+#include "output_file.hpp"
 
 namespace deburr::cli {
 namespace {
@@ -21,13 +22,20 @@ constexpr const char* examples =
 struct InfoArgs {
   CommonArgs common;
   std::string input;
+  std::string in_format;
 };
 
 void run(const InfoArgs& args) {
-  const PointCloud cloud = read_cloud(args.input, interrupted);
+  check_in_format(args.in_format);
+  const PointCloud cloud = read_cloud(args.input, interrupted, args.in_format);
   ProgressBar bar(args.common.quiet);
   const CloudInfo info = measure(cloud, args.common.threads, bar);
   bar.clear();
+  if (!args.common.quiet) {
+    for (const std::string& doubt : doubts_about(cloud)) {
+      tell(fmt::format("deburr: warning: {}: {}\n", args.input, doubt));
+    }
+  }
   if (!args.common.json) {
     print(fmt::format("{:<11} {}\n{}", "file", args.input, to_text(info)));
     return;
@@ -43,7 +51,8 @@ void run(const InfoArgs& args) {
 void add_info_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("info", "Tell what is in a point cloud");
   const auto args = std::make_shared<InfoArgs>();
-  add_file(*command, "IN", args->input, "Point cloud: PLY, or text with x y z in each line");
+  add_file(*command, "IN", args->input, cloud_help);
+  add_in_format(*command, args->in_format);
   add_common_options(*command, args->common, examples);
   command->callback([args] { run(*args); });
 }

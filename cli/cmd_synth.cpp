@@ -46,6 +46,7 @@ struct SynthArgs {
   std::string output;
   std::string truth;
   std::string clean;
+  std::string format;
   double noise_spacings = 0;
   const CLI::Option* in_spacings = nullptr;
   const CLI::Option* thickness = nullptr;
@@ -75,7 +76,8 @@ void check_arguments(const SynthArgs& args) {
   if (args.thickness->count() > 0 && (shape == nullptr || shape->value != Shape::ThinPlate)) {
     throw std::invalid_argument("--thickness belongs to thin-plate");
   }
-  check_cloud_output(args.output);
+  check_cloud_output(args.output, args.format);
+  check_json(args.output, args.common.json);
   if (!args.truth.empty() && extension(args.truth) != ".ply") {
     throw std::invalid_argument("--truth " + args.truth + ": a mesh is written as .ply");
   }
@@ -162,7 +164,8 @@ void run(SynthArgs& args) {
   check_arguments(args);
   const SyntheticScan scan = make_scan(args);
   // The cloud first: only while it is written can an interrupt still leave everything as it was.
-  const std::vector<std::string> warnings = write_cloud(args.output, scan.cloud, interrupted);
+  const std::vector<std::string> warnings =
+      write_cloud(args.output, scan.cloud, interrupted, args.format);
   if (!args.truth.empty()) write_mesh(args.truth, scan.truth);
   if (!args.clean.empty()) write_cloud(args.clean, clean_cloud(scan));
   if (args.common.json) {
@@ -178,9 +181,11 @@ void add_synth_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("synth", "Make a noisy scan of a known surface");
   const auto args = std::make_shared<SynthArgs>();
   SynthOptions& options = args->options;
-  add_file(*command, "SHAPE_OR_MESH", args->surface,
-           fmt::format("What is scanned: {}, or a PLY file with faces", shape_words()));
-  add_file(*command, "OUT", args->output, "Where to write the points");
+  add_file(
+      *command, "SHAPE_OR_MESH", args->surface,
+      fmt::format("What is scanned: {}, or a file with faces (PLY, STL, OBJ, OFF)", shape_words()));
+  add_file(*command, "OUT", args->output, "Where to write the points; - is stdout");
+  add_format(*command, args->format);
   add_value(*command, "--points", options.points, "Number of points on the surface");
   CLI::Option* const noise =
       add_value(*command, "--noise", options.noise,

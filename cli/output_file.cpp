@@ -3,6 +3,7 @@
 #include "output_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,13 +14,13 @@
 #include <stdexcept>
 
 #include "deburr/error.hpp"
-#include "deburr/io.hpp"
 
 namespace deburr::cli {
 
 namespace fs = std::filesystem;
 
 void check_output(const std::string& path) {
+  if (path == "-") return;
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (fs::is_directory(status)) throw IoError(path, "is a folder");
@@ -38,16 +39,35 @@ void check_output(const std::string& path) {
   }
 }
 
-void check_cloud_output(const std::string& path) {
-  if (!is_writable_format(path)) {
-    throw std::invalid_argument(fmt::format(
-        "{}: the extension tells the format, one of .ply .xyz .txt .csv .asc .pts", path));
+FormatInfo check_cloud_output(const std::string& path, const std::string& format) {
+  const std::optional<FormatInfo> info = output_format(path, format);
+  const std::string known = fmt::format("{}", fmt::join(format_names(), " "));
+  if (!info && !format.empty()) {
+    throw std::invalid_argument(fmt::format("--format {}: must be one of {}", format, known));
+  }
+  if (!info) {
+    throw std::invalid_argument(
+        fmt::format("{}: the extension tells the format, one of {}; or use --format", path, known));
   }
   check_output(path);
+  return *info;
+}
+
+void check_in_format(const std::string& format) {
+  const std::vector<std::string> known = format_names();
+  if (format.empty() || std::ranges::find(known, format) != known.end()) return;
+  throw std::invalid_argument(
+      fmt::format("--in-format {}: must be one of {}", format, fmt::join(known, " ")));
+}
+
+void check_json(const std::string& path, bool json) {
+  if (path == "-" && json) {
+    throw std::invalid_argument("--json: the points go to the standard output already");
+  }
 }
 
 void check_different(const std::string& option, const std::string& path, const std::string& other) {
-  if (path.empty() || other.empty()) return;
+  if (path.empty() || other.empty() || path == "-" || other == "-") return;
   std::error_code ignored;
   if (fs::equivalent(path, other, ignored) ||
       fs::weakly_canonical(path, ignored) == fs::weakly_canonical(other, ignored)) {

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "deburr/io.hpp"
+
 namespace deburr::cli {
 
 /// Refuses, before any work is done for it, an output that cannot be written.
@@ -11,10 +13,18 @@ namespace deburr::cli {
 void check_output(const std::string& path);
 
 /// As check_output, for a point cloud.
-/// @throws std::invalid_argument  for an extension that write_cloud does not know
-void check_cloud_output(const std::string& path);
+/// @param format  of --format, may be empty
+/// @throws std::invalid_argument  for an extension or a format that write_cloud does not know
+FormatInfo check_cloud_output(const std::string& path, const std::string& format = {});
 
-/// Refuses two names of one file where one would overwrite the other. Empty names are no files.
+/// @throws std::invalid_argument  for a format of --in-format that read_cloud does not know
+void check_in_format(const std::string& format);
+
+/// @throws std::invalid_argument  if points and JSON were to share the standard output
+void check_json(const std::string& path, bool json);
+
+/// Refuses two names of one file where one would overwrite the other. Empty names and the standard
+/// streams are no files.
 /// @throws std::invalid_argument  naming the option
 void check_different(const std::string& option, const std::string& path, const std::string& other);
 

@@ -57,7 +57,7 @@ TEST(ReadMesh, RefusesWhatIsNoMesh) {
               HasSubstr("not integers"));
   EXPECT_THAT(error_of_mesh(dir, mesh_file("int", name, "", 0)), HasSubstr("no faces"));
   EXPECT_THAT(error_of_mesh(dir, mesh_file("int", "other", "3 0 1 2\n", 1)), HasSubstr("no faces"));
-  EXPECT_THAT(error_of_mesh(dir, "0 0 0\n"), HasSubstr("not a PLY file"));
+  EXPECT_THAT(error_of_mesh(dir, "0 0 0\n"), HasSubstr("the file has no faces"));
 }
 
 TEST(ReadMeshOrCloud, TakesAFileWithFacesAsAMesh) {

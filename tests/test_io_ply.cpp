@@ -235,8 +235,8 @@ TEST(Ply, SaysWhatItCannotHold) {
       {"good", std::vector<float>{1}, {}}};
   EXPECT_THAT(write_cloud(dir / "a.ply", cloud),
               ElementsAre("PLY cannot hold the text 'name', which was left out",
-                          "PLY cannot hold the integers 'id', which was left out",
-                          "PLY cannot hold the integers 'max', which was left out"));
+                          "PLY cannot hold the integers 'id', which were left out",
+                          "PLY cannot hold the integers 'max', which were left out"));
   EXPECT_EQ(read_cloud(dir / "a.ply").attributes.size(), 1U);
 }
 

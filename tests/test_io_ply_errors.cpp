@@ -39,7 +39,7 @@ TEST(Ply, RefusesCloudsThatContradictThemselves) {
   wrong = cloud;
   wrong.layout.elements = {{"face", 1, {{"a", std::vector<float>(2), {}}}, false}};
   refused(wrong);
-  EXPECT_THROW((void)write_cloud(dir / "a.las", cloud), std::invalid_argument);
+  EXPECT_THROW((void)write_cloud(dir / "a.docx", cloud), std::invalid_argument);
 }
 
 TEST(Ply, NamesTheLineOfABadHeader) {

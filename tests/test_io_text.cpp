@@ -76,8 +76,8 @@ TEST(Text, ReadsCountLines) {
   const TempDir dir;
   const PointCloud cloud = read(dir, "2\n1 2 3 -10 255 0 0\n4 5 6 20 0 0 1\n");
   EXPECT_TRUE(cloud.layout.text.count_line);
-  EXPECT_THAT(names(cloud),
-              ElementsAre("x", "y", "z", "column_4", "column_5", "column_6", "column_7"));
+  EXPECT_THAT(names(cloud), ElementsAre("x", "y", "z", "intensity", "red", "green", "blue"));
+  EXPECT_THAT(names(read(dir, "1\n1 2 3 -10\n")), ElementsAre("x", "y", "z", "intensity"));
   EXPECT_EQ(written(dir, cloud, "a.pts"), "2\n1 2 3 -10 255 0 0\n4 5 6 20 0 0 1\n");
   EXPECT_EQ(written(dir, cloud, "a.xyz"), "1 2 3 -10 255 0 0\n4 5 6 20 0 0 1\n");
   EXPECT_EQ(read(dir, "2\n# c\nx y z\n1 2 3\n4 5 6\n").size(), 2U);
@@ -155,19 +155,15 @@ TEST(Text, NamesTheLineOfABadRow) {
 
 TEST(Text, NamesWhatIsNoCloud) {
   using namespace std::string_literals;
-  const auto other = [](const std::string& name) {
-    return "not a PLY or text point cloud, but " + name;
-  };
-  EXPECT_EQ(error_of("LASF\0\0\0"s), other("a LAS or LAZ file"));
-  EXPECT_EQ(error_of("# .PCD v.7\nVERSION .7\n"), other("a PCD file"));
-  EXPECT_EQ(error_of("solid cube\n facet normal 0 0 1\n"), other("an STL file"));
-  EXPECT_EQ(error_of("v 1 2 3\n"), other("an OBJ file"));
+  const auto other = [](const std::string& name) { return "not a point cloud, but " + name; };
+  EXPECT_EQ(error_of("ASTM-E57\1"), other("an E57 file"));
+  EXPECT_EQ(error_of("# vtk DataFile Version 3.0\n"), other("a VTK file"));
   EXPECT_EQ(error_of("\x1f\x8b\x08"), other("a gzip archive"));
   EXPECT_EQ(error_of(std::string(80, ' ') + "\1\0\0\0"s), other("binary data"));
   EXPECT_EQ(error_of(""), "empty file");
   for (const char* file : {"\n\n", "# only comments\n", "hello\n", "one two three four\n1 2 3 4\n",
                            "1 2\n3 4\n", "a,b,c\n1,2,3\n"}) {
-    EXPECT_THAT(error_of(file), StartsWith("not a PLY or text point cloud: ")) << file;
+    EXPECT_THAT(error_of(file), StartsWith("not a point cloud: ")) << file;
   }
 }
 
@@ -305,13 +301,20 @@ TEST(Text, StopsReadingWhenCancelled) {
   }
 }
 
-TEST(IsWritableFormat, GoesByExtension) {
-  for (const char* name : {"a.ply", "a.PLY", "a.xyz", "a.txt", "a.csv", "a.asc", "b/a.b.pts"}) {
-    EXPECT_TRUE(is_writable_format(name)) << name;
+TEST(OutputFormat, GoesByExtensionOrName) {
+  for (const char* name : {"a.ply", "a.PLY", "a.xyz", "a.txt", "a.csv", "a.asc", "b/a.b.pts",
+                           "a.las", "a.pcd", "a.stl", "a.obj", "a.off"}) {
+    EXPECT_TRUE(output_format(name)) << name;
   }
-  for (const char* name : {"a", "ply", ".ply", "a.las", "a.pcd", "a.ply.gz", ""}) {
-    EXPECT_FALSE(is_writable_format(name)) << name;
+  for (const char* name : {"a", "ply", ".ply", "a.laz", "a.ply.gz", ""}) {
+    EXPECT_FALSE(output_format(name)) << name;
   }
+  EXPECT_EQ(output_format("a.PLY")->name, "ply");
+  EXPECT_EQ(output_format("-")->name, "ply");
+  EXPECT_EQ(output_format("a.ply", "las")->name, "las");
+  EXPECT_FALSE(output_format("a.ply", "docx"));
+  EXPECT_TRUE(output_format("a.las")->takes_any_field);
+  EXPECT_FALSE(output_format("a.csv")->takes_any_field);
 }
 
 }  // namespace

@@ -65,7 +65,21 @@ struct Element {
 };
 
 /// How a file holds its data.
-enum class Encoding : std::uint8_t { None, PlyAscii, PlyLittleEndian, PlyBigEndian, Text };
+enum class Encoding : std::uint8_t {
+  None,
+  PlyAscii,
+  PlyLittleEndian,
+  PlyBigEndian,
+  Text,
+  PcdAscii,
+  PcdBinary,
+  PcdCompressed,
+  Las,
+  Obj,
+  Off,
+  StlAscii,
+  StlBinary
+};
 
 /// Whether and how a text file names its columns.
 enum class TextHeader : std::uint8_t {
@@ -82,6 +96,12 @@ struct TextLayout {
   bool count_line = false;  ///< the number of points stands in the first line
 };
 
+/// A part of a file that only its own format understands, e.g. a record of LAS; kept as it is.
+struct HeaderBlock {
+  std::string name;  ///< the format first: "LAS record LASF_Projection 34735"
+  std::string data;
+};
+
 /// What a file says beyond its points, kept so that writing it back changes nothing else.
 struct FileLayout {
   Encoding encoding = Encoding::None;  ///< None for a cloud that does not come from a file
@@ -91,6 +111,10 @@ struct FileLayout {
   std::vector<std::string> comments;  ///< without their comment marks
   std::vector<std::string> obj_info;  ///< the comments that PLY marks so, which programs read
   std::vector<Element> elements;
+  std::vector<HeaderBlock> blocks;
+  /// Length by which coordinates have to be told apart, in their unit, where a format rounds them
+  /// to a grid (LAS): the grid of the file is refined to it. 0 keeps the grid.
+  double resolution = 0;
 };
 
 /// Points with whatever was measured at them. Order and attributes survive every operation.

@@ -29,6 +29,13 @@ std::filesystem::path follow_links(std::filesystem::path path) {
 }  // namespace
 
 AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(path), target_(path) {
+  if (path == "-") {
+    path_ = "standard output";
+    // A copy, so that closing tells of errors and leaves the caller's alone.
+    fd_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+    if (fd_ < 0) fail("cannot write", errno);
+    return;
+  }
   struct stat status {};
   const bool exists = ::stat(path.c_str(), &status) == 0;
   if (!exists && errno != ENOENT) fail("cannot write", errno);

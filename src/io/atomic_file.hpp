@@ -12,7 +12,7 @@ namespace deburr {
 /// The data go to a temporary file in the directory of the target, which commit() renames over the
 /// target. Without commit() the temporary is removed and the target is as before. A symbolic link
 /// stays, the file that it points to is replaced. What is no regular file (/dev/null, a pipe) is
-/// written directly.
+/// written directly, and so is the standard output, "-".
 ///
 /// All functions throw IoError with the reason of the system.
 class AtomicFile {

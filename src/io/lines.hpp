@@ -29,16 +29,26 @@ inline std::string_view next_token(std::string_view& rest) {
   return token;
 }
 
-/// Goes through the lines of a text, which end with "\n" or "\r\n".
+/// Goes through the lines of a text, which end with "\n" or "\r\n", and with "\r" alone where its
+/// first line does.
 class Lines {
  public:
   explicit Lines(std::string_view text, std::size_t offset = 0, std::size_t number = 0)
-      : text_(text), offset_(offset), number_(number) {}
+      : text_(text), offset_(offset), number_(number), newline_(text.find('\n', offset)) {
+    const std::size_t first = text.find_first_of("\r\n");
+    has_returns_ = first != std::string_view::npos && text[first] == '\r' &&
+                   first + 1 < text.size() && text[first + 1] != '\n';
+  }
 
   /// Steps to the next line; false at the end of the text.
   bool next() {
     if (offset_ >= text_.size()) return false;
-    const std::size_t end = std::min(text_.find('\n', offset_), text_.size());
+    if (newline_ < offset_) newline_ = text_.find('\n', offset_);
+    std::size_t end = std::min(newline_, text_.size());
+    if (has_returns_) {
+      const std::size_t mark = text_.substr(offset_, end - offset_).find('\r');
+      if (mark != std::string_view::npos && offset_ + mark + 1 != newline_) end = offset_ + mark;
+    }
     line_ = trim(text_.substr(offset_, end - offset_));
     offset_ = end + 1;
     ++number_;
@@ -61,6 +71,8 @@ class Lines {
   std::string_view line_;
   std::size_t offset_;
   std::size_t number_;
+  std::size_t newline_;  ///< the next one from offset_ on
+  bool has_returns_ = false;
 };
 
 }  // namespace deburr

@@ -10,23 +10,13 @@
 #include "deburr/error.hpp"
 #include "deburr/io.hpp"
 #include "io/atomic_file.hpp"
+#include "io/faces.hpp"
 #include "io/format.hpp"
 #include "io/ply.hpp"
-#include "io/ply_header.hpp"
 #include "io/source.hpp"
 
 namespace deburr {
 namespace {
-
-const Attribute* find_corners(const std::vector<Element>& elements) {
-  for (const Element& element : elements) {
-    if (element.name != "face") continue;
-    for (const Attribute& a : element.attributes) {
-      if (a.is_list() && (a.name == "vertex_indices" || a.name == "vertex_index")) return &a;
-    }
-  }
-  return nullptr;
-}
 
 /// The corners of all faces, one after the other, as indices of vertices.
 std::vector<std::uint32_t> checked_corners(const Source& source, const Attribute& faces,
@@ -51,9 +41,9 @@ std::vector<std::uint32_t> checked_corners(const Source& source, const Attribute
   return corners;
 }
 
-/// The mesh that a PLY file holds.
+/// The mesh that a file holds.
 TriangleMesh to_mesh(const Source& source, PointCloud cloud) {
-  const Attribute* const faces = find_corners(cloud.layout.elements);
+  const Attribute* const faces = find_faces(cloud.layout);
   if (faces == nullptr || faces->offsets.size() < 2) source.fail("the file has no faces");
 
   const std::vector<std::uint32_t> corners = checked_corners(source, *faces, cloud.size());
@@ -77,8 +67,7 @@ TriangleMesh to_mesh(const Source& source, PointCloud cloud) {
 
 TriangleMesh read_mesh(const std::filesystem::path& path) {
   const Source source = load(path);
-  if (!is_ply(source.data)) source.fail("not a PLY file");
-  return to_mesh(source, read_ply(source));
+  return to_mesh(source, parse_cloud(source));
 }
 
 std::variant<TriangleMesh, PointCloud> read_mesh_or_cloud(const std::filesystem::path& path,
@@ -113,7 +102,7 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
   PointCloud cloud{mesh.vertices, {}, {}, {}};
   cloud.layout.elements.push_back({"face", mesh.triangles.size(), {std::move(faces)}, false});
   AtomicFile file(path);
-  (void)write_ply(file, path, cloud, {});
+  (void)write_ply({file, "ply", cloud, {}});
   file.commit();
 }
 

@@ -2,25 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <filesystem>
-#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "deburr/point_cloud.hpp"
-#include "io/atomic_file.hpp"
-#include "io/source.hpp"
+#include "io/format.hpp"
 
 namespace deburr {
+
+[[nodiscard]] Match match_ply(std::string_view data);
 
 /// @throws IoError  naming the line or byte
 [[nodiscard]] PointCloud read_ply(const Source& source);
 
-/// Writes to `file` without committing it.
+/// Writes without committing.
 /// @return what the format could not hold
-[[nodiscard]] std::vector<std::string> write_ply(AtomicFile& file,
-                                                 const std::filesystem::path& path,
-                                                 const PointCloud& cloud,
-                                                 const std::function<bool()>& cancelled);
+[[nodiscard]] std::vector<std::string> write_ply(const WriteJob& job);
 
 }  // namespace deburr

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "deburr/point_cloud.hpp"
+#include "io/bytes.hpp"
 #include "io/ply_header.hpp"
 
 // What reader and writer of the data behind a PLY header share.
@@ -28,15 +29,6 @@ struct PlyTarget {
 /// Whether numbers of this encoding have the other byte order than this machine.
 inline bool needs_swap(Encoding encoding) {
   return (encoding == Encoding::PlyLittleEndian) != (std::endian::native == std::endian::little);
-}
-
-template <typename T>
-T swap_bytes(T value) {
-  char bytes[sizeof(T)];
-  std::memcpy(bytes, &value, sizeof(T));
-  for (std::size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(bytes[i], bytes[sizeof(T) - 1 - i]);
-  std::memcpy(&value, bytes, sizeof(T));
-  return value;
 }
 
 /// Reads the items of one element from a position on.

@@ -159,10 +159,6 @@ class HeaderParser {
 
 }  // namespace
 
-bool is_ply(std::string_view data) {
-  return data.starts_with("ply") && (data.size() == 3 || is_blank(data[3]) || data[3] == '\n');
-}
-
 PlyHeader parse_ply_header(const Source& source) { return HeaderParser(source).parse(); }
 
 std::string format_ply_header(const PlyHeader& header) {

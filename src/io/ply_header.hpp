@@ -35,9 +35,6 @@ struct PlyHeader {
   std::size_t lines = 0;
 };
 
-/// Whether the data start as a PLY file does.
-[[nodiscard]] bool is_ply(std::string_view data);
-
 /// @throws IoError  naming the line
 [[nodiscard]] PlyHeader parse_ply_header(const Source& source);
 

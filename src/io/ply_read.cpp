@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "io/fields.hpp"
+#include "io/lines.hpp"
 #include "io/ply.hpp"
 #include "io/ply_body.hpp"
 #include "io/ply_header.hpp"
@@ -15,9 +16,7 @@ namespace {
 
 Attribute make_attribute(const PlyProperty& property, std::size_t size) {
   Attribute attribute{property.name, {}, {}, property.length_type};
-  with_ply_type(property.type, [&]<typename T>(std::type_identity<T>) {
-    attribute.values = std::vector<T>(property.is_list ? 0 : size);
-  });
+  attribute.values = zeros(property.type, property.is_list ? 0 : size);
   if (property.is_list) {
     attribute.offsets.reserve(size + 1);
     attribute.offsets.push_back(0);
@@ -34,8 +33,8 @@ std::vector<int> roles_of(const PlyElement& vertex) {
 
 void read_vertices(PlyBodyReader& body, const PlyElement& vertex, PointCloud& cloud) {
   const std::vector<int> roles = roles_of(vertex);
-  cloud.points.resize(vertex.size);
-  if (std::ranges::count(roles, 3) > 0) cloud.normals.resize(vertex.size);
+  resize_large(cloud.points, vertex.size);
+  if (std::ranges::count(roles, 3) > 0) resize_large(cloud.normals, vertex.size);
   for (std::size_t k = 0; k < roles.size(); ++k) {
     const PlyProperty& p = vertex.properties[k];
     cloud.layout.fields.push_back({p.name, p.type});
@@ -68,6 +67,12 @@ Element read_element(PlyBodyReader& body, const PlyElement& header) {
 }
 
 }  // namespace
+
+Match match_ply(std::string_view data) {
+  const bool is_ply =
+      data.starts_with("ply") && (data.size() == 3 || is_blank(data[3]) || data[3] == '\n');
+  return is_ply ? Match::Sure : Match::No;
+}
 
 PointCloud read_ply(const Source& source) {
   PlyHeader header = parse_ply_header(source);

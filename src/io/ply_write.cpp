@@ -7,9 +7,9 @@
 #include <limits>
 #include <set>
 
-#include "deburr/error.hpp"
 #include "io/fields.hpp"
 #include "io/lines.hpp"
+#include "io/losses.hpp"
 #include "io/numbers.hpp"
 #include "io/ply.hpp"
 #include "io/ply_body.hpp"
@@ -38,16 +38,19 @@ std::string ply_name(std::string name, std::set<std::string>& taken) {
 
 class PlyWriter {
  public:
-  PlyWriter(AtomicFile& file, const PointCloud& cloud, const std::function<bool()>& cancelled)
-      : file_(file), cloud_(cloud), cancelled_(cancelled), columns_(columns_of(cloud)) {
-    const Encoding encoding = cloud.layout.encoding;
-    const bool is_ply_layout = encoding != Encoding::None && encoding != Encoding::Text;
+  explicit PlyWriter(const WriteJob& job)
+      : job_(job), cloud_(job.cloud), columns_(columns_of(job.cloud)) {
+    const Encoding encoding = cloud_.layout.encoding;
+    const bool is_ply_layout = encoding == Encoding::PlyAscii ||
+                               encoding == Encoding::PlyLittleEndian ||
+                               encoding == Encoding::PlyBigEndian;
     header_.encoding = is_ply_layout ? encoding : Encoding::PlyLittleEndian;
-    header_.comments = cloud.layout.comments;
-    header_.obj_info = cloud.layout.obj_info;
+    header_.comments = cloud_.layout.comments;
+    header_.obj_info = cloud_.layout.obj_info;
     add_elements(true);
     add_vertices(is_ply_layout);
     add_elements(false);
+    losses_.add_foreign_blocks(cloud_.layout, "PLY ");
   }
 
   std::vector<std::string> write() {
@@ -57,7 +60,7 @@ class PlyWriter {
                                              : write_binary(header_.elements[k].size, sources_[k]);
     }
     flush();
-    return std::move(warnings_);
+    return losses_.take();
   }
 
  private:
@@ -67,6 +70,7 @@ class PlyWriter {
       std::vector<PlySource> sources;
       std::set<std::string> names;
       for (const Attribute& a : element.attributes) add_attribute(sources, names, a);
+      if (sources.empty() && !element.attributes.empty()) continue;  // said of its attributes
       add_element(element.name, element.size, std::move(sources));
     }
   }
@@ -101,9 +105,7 @@ class PlyWriter {
     if (!is_ply_type(attribute.type())) {
       std::optional<Attribute> narrow = narrow_to_ply(attribute);
       if (!narrow) {
-        warnings_.push_back(fmt::format("PLY cannot hold the {} '{}', which was left out",
-                                        attribute.type() == ScalarType::Text ? "text" : "integers",
-                                        attribute.name));
+        losses_.add(attribute);
         return;
       }
       held = &narrowed_.emplace_back(std::move(*narrow));
@@ -121,11 +123,7 @@ class PlyWriter {
     sources_.push_back(std::move(sources));
   }
 
-  void flush() {
-    if (cancelled_ && cancelled_()) throw Cancelled();
-    file_.write(buffer_);
-    buffer_.clear();
-  }
+  void flush() { job_.flush(buffer_); }
 
   template <typename T>
   void store(std::size_t offset, T value) {
@@ -217,24 +215,19 @@ class PlyWriter {
     });
   }
 
-  AtomicFile& file_;
+  const WriteJob& job_;
   const PointCloud& cloud_;
-  const std::function<bool()>& cancelled_;
   std::vector<Column> columns_;
   PlyHeader header_;
   std::set<std::string> element_names_;
   std::vector<std::vector<PlySource>> sources_;  ///< of each element
   std::deque<Attribute> narrowed_;               ///< attributes in a type that PLY has
-  std::vector<std::string> warnings_;
+  Losses losses_{"PLY"};
   std::string buffer_;
 };
 
 }  // namespace
 
-std::vector<std::string> write_ply(AtomicFile& file, const std::filesystem::path& /*path*/,
-                                   const PointCloud& cloud,
-                                   const std::function<bool()>& cancelled) {
-  return PlyWriter(file, cloud, cancelled).write();
-}
+std::vector<std::string> write_ply(const WriteJob& job) { return PlyWriter(job).write(); }
 
 }  // namespace deburr

@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "deburr/point_cloud.hpp"
+#include "io/large_pages.hpp"
 
 namespace deburr {
 
@@ -19,6 +21,35 @@ inline bool is_ply_type(ScalarType type) {
 
 /// Whether values of this type are integers.
 inline bool is_integer_type(ScalarType type) { return type <= ScalarType::UInt64; }
+
+/// Calls f(std::type_identity<T>{}) with the T of any type but text.
+template <typename F>
+decltype(auto) with_number_type(ScalarType type, const F& f) {
+  switch (type) {
+    case ScalarType::Int8:
+      return f(std::type_identity<std::int8_t>{});
+    case ScalarType::UInt8:
+      return f(std::type_identity<std::uint8_t>{});
+    case ScalarType::Int16:
+      return f(std::type_identity<std::int16_t>{});
+    case ScalarType::UInt16:
+      return f(std::type_identity<std::uint16_t>{});
+    case ScalarType::Int32:
+      return f(std::type_identity<std::int32_t>{});
+    case ScalarType::UInt32:
+      return f(std::type_identity<std::uint32_t>{});
+    case ScalarType::Int64:
+      return f(std::type_identity<std::int64_t>{});
+    case ScalarType::UInt64:
+      return f(std::type_identity<std::uint64_t>{});
+    case ScalarType::Float32:
+      return f(std::type_identity<float>{});
+    case ScalarType::Float64:
+      return f(std::type_identity<double>{});
+    default:
+      throw std::logic_error("not a type of numbers");
+  }
+}
 
 /// Calls f(std::type_identity<T>{}) with the T of a type that a PLY file can hold.
 template <typename F>
@@ -45,9 +76,18 @@ decltype(auto) with_ply_type(ScalarType type, const F& f) {
   }
 }
 
-/// Size in bytes of a value in a binary PLY file.
+/// Size in bytes of a number in a binary file.
 inline std::size_t size_of(ScalarType type) {
-  return with_ply_type(type, []<typename T>(std::type_identity<T>) { return sizeof(T); });
+  return with_number_type(type, []<typename T>(std::type_identity<T>) { return sizeof(T); });
+}
+
+/// So many zeros.
+inline Values zeros(ScalarType type, std::size_t count) {
+  return with_number_type(type, [&]<typename T>(std::type_identity<T>) {
+    std::vector<T> values;
+    resize_large(values, count);
+    return Values(std::move(values));
+  });
 }
 
 /// Number of values that an attribute holds, all lists together.

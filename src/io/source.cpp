@@ -9,10 +9,14 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
+#include <new>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "deburr/error.hpp"
+#include "io/large_pages.hpp"
 
 namespace deburr {
 namespace {
@@ -28,28 +32,36 @@ struct Descriptor {
   Descriptor& operator=(const Descriptor&) = delete;
 };
 
+/// Memory that nobody fills with zeros before a file is read into it.
+struct Buffer {
+  char* data = nullptr;
+  Buffer() = default;
+  ~Buffer() { std::free(data); }
+  Buffer(const Buffer&) = delete;
+  Buffer& operator=(const Buffer&) = delete;
+
+  void grow(std::size_t size) {
+    void* const grown = std::realloc(data, size);
+    if (grown == nullptr) throw std::bad_alloc();
+    data = static_cast<char*>(grown);
+    prefer_large_pages(data, size);
+  }
+};
+
 struct Magic {
   std::string_view start;
   std::string_view name;
 };
 
-constexpr std::array<Magic, 17> other_formats{{{"LASF", "a LAS or LAZ file"},
-                                               {"# .PCD", "a PCD file"},
-                                               {"VERSION", "a PCD file"},
-                                               {"ASTM-E57", "an E57 file"},
-                                               {"solid", "an STL file"},
-                                               {"OFF", "an OFF file"},
-                                               {"COFF", "an OFF file"},
-                                               {"v ", "an OBJ file"},
-                                               {"mtllib", "an OBJ file"},
-                                               {"# vtk", "a VTK file"},
-                                               {"glTF", "a glTF file"},
-                                               {"PK\x03\x04", "a ZIP archive"},
-                                               {"\x1f\x8b", "a gzip archive"},
-                                               {"\xff\xfe", "UTF-16 text"},
-                                               {"\xfe\xff", "UTF-16 text"},
-                                               {"<", "XML or HTML"},
-                                               {"{", "JSON"}}};
+constexpr std::array<Magic, 9> other_formats{{{"ASTM-E57", "an E57 file"},
+                                              {"# vtk", "a VTK file"},
+                                              {"glTF", "a glTF file"},
+                                              {"PK\x03\x04", "a ZIP archive"},
+                                              {"\x1f\x8b", "a gzip archive"},
+                                              {"\xff\xfe", "UTF-16 text"},
+                                              {"\xfe\xff", "UTF-16 text"},
+                                              {"<", "XML or HTML"},
+                                              {"{", "JSON"}}};
 
 }  // namespace
 
@@ -60,35 +72,39 @@ void Source::check_cancelled() const {
 void Source::fail(const std::string& what) const { throw IoError(path, what); }
 
 Source load(const std::filesystem::path& path, const std::function<bool()>& cancelled) {
-  Source source{path, {}, cancelled};
+  Source source{path, {}, cancelled, {}};
   const auto fail = [&] { source.fail(std::generic_category().message(errno)); };
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  const bool is_input = path == "-";
+  if (is_input) source.path = "standard input";
+  const Descriptor file(is_input ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)
+                                 : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status {};
   if (file.fd < 0 || ::fstat(file.fd, &status) != 0) fail();
 
   constexpr std::size_t block = std::size_t{1} << 24;
-  std::size_t size = 0;
   // One byte more than the file has, so that its end is seen without growing.
-  source.data.resize(S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) + 1
-                                             : block);
+  std::size_t room = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) + 1 : block;
+  std::size_t size = 0;
+  Buffer buffer;
+  buffer.grow(room);
   for (;;) {
     source.check_cancelled();
-    if (size == source.data.size()) source.data.resize(2 * size);
-    const ssize_t got =
-        ::read(file.fd, source.data.data() + size, std::min(block, source.data.size() - size));
+    if (size == room) buffer.grow(room *= 2);
+    const ssize_t got = ::read(file.fd, buffer.data + size, std::min(block, room - size));
     if (got == 0) break;
     if (got > 0) size += static_cast<std::size_t>(got);
     if (got < 0 && errno != EINTR) fail();
   }
-  source.data.resize(size);
+  source.data = {buffer.data, size};
+  source.owner = {std::exchange(buffer.data, nullptr), [](char* data) { std::free(data); }};
   return source;
 }
 
-std::string name_of_other_format(const std::string& data) {
+std::string name_of_other_format(std::string_view data) {
   for (const auto& [start, name] : other_formats) {
     if (data.starts_with(start)) return std::string(name);
   }
-  const std::string_view head = std::string_view(data).substr(0, 65536);
+  const std::string_view head = data.substr(0, 65536);
   const auto is_binary = [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return (byte < 32 && std::string_view("\t\n\v\f\r\x1a").find(c) == std::string_view::npos) ||

@@ -4,15 +4,18 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
+#include <string_view>
 
 namespace deburr {
 
 /// A file in memory, with what a reader needs beside it.
 struct Source {
   std::filesystem::path path;
-  std::string data;
-  std::function<bool()> cancelled;
+  std::string_view data;
+  std::function<bool()> cancelled{};
+  std::shared_ptr<const char> owner{};  ///< of the data, where load() has read them
 
   /// Throws Cancelled if the caller has asked to stop.
   void check_cancelled() const;
@@ -20,12 +23,12 @@ struct Source {
   [[noreturn]] void fail(const std::string& what) const;
 };
 
-/// Reads a whole file, or a pipe up to its end.
+/// Reads a whole file, or a pipe up to its end; "-" is the standard input.
 /// @throws IoError  if it cannot be read
 [[nodiscard]] Source load(const std::filesystem::path& path,
                           const std::function<bool()>& cancelled = {});
 
 /// Name of the kind of file for those that are often taken for a point cloud, else empty.
-[[nodiscard]] std::string name_of_other_format(const std::string& data);
+[[nodiscard]] std::string name_of_other_format(std::string_view data);
 
 }  // namespace deburr

@@ -3,27 +3,24 @@
 #pragma once
 
 #include <cmath>
-#include <filesystem>
-#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "deburr/point_cloud.hpp"
-#include "io/atomic_file.hpp"
-#include "io/source.hpp"
+#include "io/format.hpp"
 
 namespace deburr {
+
+/// Text is what is left.
+[[nodiscard]] Match match_text(std::string_view data);
 
 /// @throws IoError  naming the line
 [[nodiscard]] PointCloud read_text(const Source& source);
 
-/// Writes to `file` without committing it; the extension of `path` tells the shape of a cloud that
-/// does not come from a text file.
+/// Writes without committing; the name of the format tells the shape of a cloud that does not come
+/// from a text file.
 /// @return what the format could not hold
-[[nodiscard]] std::vector<std::string> write_text(AtomicFile& file,
-                                                  const std::filesystem::path& path,
-                                                  const PointCloud& cloud,
-                                                  const std::function<bool()>& cancelled);
+[[nodiscard]] std::vector<std::string> write_text(const WriteJob& job);
 
 /// Whether the columns 4 to 6 of a row can be a normal when nothing names them: a unit vector up
 /// to three decimals.

@@ -53,7 +53,11 @@ class ShapeFinder {
     if (!has_line) refuse("it has comments or blank lines only");
     if (is_integer(lines_.line())) {
       shape_.announced = parse_number<std::size_t>(lines_.line());
-      shape_.layout.count_line = shape_.announced.has_value();
+      if (!shape_.announced) {
+        source_.fail(fmt::format("line {}: {} is no number of points", lines_.number(),
+                                 lines_.line().substr(0, 40)));
+      }
+      shape_.layout.count_line = true;
       remember_place();
       if (!next_content()) return std::move(shape_);
     }
@@ -77,7 +81,7 @@ class ShapeFinder {
 
  private:
   [[noreturn]] void refuse(const std::string& why) const {
-    source_.fail("not a PLY or text point cloud: " + why);
+    source_.fail("not a point cloud: " + why);
   }
 
   void remember_place() {
@@ -144,6 +148,12 @@ class ShapeFinder {
       return;
     }
     shape_.names = {"x", "y", "z"};
+    // What surveying programs write below a count line.
+    if (shape_.layout.count_line && (columns == 4 || columns == 7)) {
+      shape_.names.emplace_back("intensity");
+      if (columns == 7) shape_.names.insert(shape_.names.end(), {"red", "green", "blue"});
+      return;
+    }
     for (std::size_t k = 4; k <= columns; ++k) shape_.names.push_back(fmt::format("column_{}", k));
   }
 
@@ -173,7 +183,7 @@ std::optional<CommentLine> parse_comment(std::string_view line) {
 
 TextShape find_shape(const Source& source) {
   const std::string other = name_of_other_format(source.data);
-  if (!other.empty()) source.fail("not a PLY or text point cloud, but " + other);
+  if (!other.empty()) source.fail("not a point cloud, but " + other);
   return ShapeFinder(source).find();
 }
 

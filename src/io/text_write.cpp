@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "deburr/error.hpp"
+#include "io/comments.hpp"
 #include "io/fields.hpp"
-#include "io/format.hpp"
 #include "io/lines.hpp"
+#include "io/losses.hpp"
 #include "io/numbers.hpp"
 #include "io/text.hpp"
 
@@ -20,14 +20,15 @@ void append_field(std::string& line, const std::string& text, char separator) {
   const bool plain = at_blanks ? !text.empty() && text.find_first_of(blanks) == std::string::npos
                                : text == trim(text) && text.find(separator) == std::string::npos;
   const bool is_comment = text.starts_with('#') || text.starts_with("//");
-  if (plain && !is_comment && text.find_first_of("\"\n\r") == std::string::npos) {
+  // Another separator in it could be taken for that of the file.
+  if (plain && !is_comment && text.find_first_of("\"\n\r,;\t") == std::string::npos) {
     line += text;
     return;
   }
   line += '"';
   for (const char c : text) {
     if (c == '"') line += '"';
-    line += c == '\n' ? ' ' : c;  // the reader knows no field of two lines
+    line += c == '\n' || c == '\r' ? ' ' : c;  // the reader knows no field of two lines
   }
   line += '"';
 }
@@ -51,27 +52,26 @@ void append_value(std::string& line, const Attribute& attribute, std::size_t i, 
 
 class TextWriter {
  public:
-  TextWriter(AtomicFile& file, const std::filesystem::path& path, const PointCloud& cloud,
-             const std::function<bool()>& cancelled)
-      : file_(file), cloud_(cloud), cancelled_(cancelled), columns_(columns_of(cloud)) {
-    const bool is_text_layout = cloud.layout.encoding == Encoding::Text;
-    const bool is_pts = lower_extension(path) == ".pts";
+  explicit TextWriter(const WriteJob& job)
+      : job_(job), cloud_(job.cloud), columns_(columns_of(job.cloud)) {
+    const bool is_text_layout = cloud_.layout.encoding == Encoding::Text;
+    const bool is_pts = job.format == "pts";
     if (is_text_layout) {
-      layout_ = cloud.layout.text;
+      layout_ = cloud_.layout.text;
     } else {
-      layout_.separator = lower_extension(path) == ".csv" ? ',' : ' ';
+      layout_.separator = job.format == "csv" ? ',' : ' ';
       layout_.count_line = is_pts;
     }
     layout_.count_line = layout_.count_line && is_pts;
     drop_what_text_cannot_hold();
-    if (is_text_layout && layout_.header == TextHeader::None) {
+    if (is_text_layout && layout_.header == TextHeader::None && !cloud_.layout.fields.empty()) {
       // Without names, nobody could tell what a new column is.
       std::erase_if(columns_, [](const Column& c) { return !c.in_layout; });
     } else if (!is_text_layout && !explains_itself()) {
       layout_.header = TextHeader::Plain;
     }
     // A file without any content could not be read again.
-    if (cloud.size() == 0 && !layout_.count_line && layout_.header == TextHeader::None) {
+    if (cloud_.size() == 0 && !layout_.count_line && layout_.header == TextHeader::None) {
       layout_.header = TextHeader::Plain;
     }
   }
@@ -91,23 +91,16 @@ class TextWriter {
       buffer_.back() = '\n';
     }
     flush();
-    return std::move(warnings_);
+    return losses_.take();
   }
 
  private:
   void drop_what_text_cannot_hold() {
-    for (const Element& element : cloud_.layout.elements) {
-      warnings_.push_back(
-          fmt::format("text cannot hold the element '{}' ({} items), which was "
-                      "left out",
-                      element.name, element.size));
-    }
+    losses_.add_elements(cloud_.layout);
+    losses_.add_foreign_blocks(cloud_.layout, "text ");
     std::erase_if(columns_, [&](const Column& c) {
       const bool is_list = c.attribute != nullptr && c.attribute->is_list();
-      if (is_list) {
-        warnings_.push_back(
-            fmt::format("text cannot hold the lists '{}', which were left out", c.name));
-      }
+      if (is_list) losses_.add(*c.attribute);
       return is_list;
     });
   }
@@ -126,14 +119,7 @@ class TextWriter {
 
   void write_head() {
     if (layout_.count_line) buffer_ += fmt::format("{}\n", cloud_.size());
-    for (const auto* comments : {&cloud_.layout.comments, &cloud_.layout.obj_info}) {
-      for (std::string comment : *comments) {
-        std::ranges::replace_if(
-            comment, [](char c) { return c == '\n' || c == '\r'; }, ' ');
-        buffer_ += comment.empty() ? layout_.mark : fmt::format("{} {}", layout_.mark, comment);
-        buffer_ += '\n';
-      }
-    }
+    append_comments(buffer_, cloud_.layout, layout_.mark);
     if (layout_.header == TextHeader::None) return;
     if (layout_.header == TextHeader::Marked) buffer_ += layout_.mark;
     for (const Column& c : columns_) {
@@ -143,27 +129,18 @@ class TextWriter {
     buffer_.back() = '\n';
   }
 
-  void flush() {
-    if (cancelled_ && cancelled_()) throw Cancelled();
-    file_.write(buffer_);
-    buffer_.clear();
-  }
+  void flush() { job_.flush(buffer_); }
 
-  AtomicFile& file_;
+  const WriteJob& job_;
   const PointCloud& cloud_;
-  const std::function<bool()>& cancelled_;
   std::vector<Column> columns_;
   TextLayout layout_;
-  std::vector<std::string> warnings_;
+  Losses losses_{"text"};
   std::string buffer_;
 };
 
 }  // namespace
 
-std::vector<std::string> write_text(AtomicFile& file, const std::filesystem::path& path,
-                                    const PointCloud& cloud,
-                                    const std::function<bool()>& cancelled) {
-  return TextWriter(file, path, cloud, cancelled).write();
-}
+std::vector<std::string> write_text(const WriteJob& job) { return TextWriter(job).write(); }
 
 }  // namespace deburr

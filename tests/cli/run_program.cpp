@@ -27,7 +27,7 @@ std::string contents(std::FILE* file) {
 
 }  // namespace
 
-pid_t start_program(const std::vector<std::string>& args, int out, int err) {
+pid_t start_program(const std::vector<std::string>& args, int out, int err, int in) {
   std::vector<std::string> words{DEBURR_PROGRAM};
   words.insert(words.end(), args.begin(), args.end());
   std::vector<char*> argv;
@@ -37,6 +37,7 @@ pid_t start_program(const std::vector<std::string>& args, int out, int err) {
 
   const pid_t child = fork();
   if (child == 0) {
+    if (in >= 0) (void)dup2(in, STDIN_FILENO);
     (void)dup2(out, STDOUT_FILENO);
     (void)dup2(err, STDERR_FILENO);
     (void)alarm(longest_run);
@@ -52,11 +53,13 @@ int wait_for_exit(pid_t process) {
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
-Outcome run_program(const std::vector<std::string>& args) {
+Outcome run_program(const std::vector<std::string>& args, const std::filesystem::path& input) {
+  const TemporaryFile in(input.empty() ? nullptr : std::fopen(input.c_str(), "r"), std::fclose);
   const TemporaryFile out(std::tmpfile(), std::fclose);
   const TemporaryFile err(std::tmpfile(), std::fclose);
   Outcome outcome;
-  outcome.exit_code = wait_for_exit(start_program(args, fileno(out.get()), fileno(err.get())));
+  outcome.exit_code = wait_for_exit(start_program(args, fileno(out.get()), fileno(err.get()),
+                                                  in != nullptr ? fileno(in.get()) : -1));
   outcome.out = contents(out.get());
   outcome.err = contents(err.get());
   return outcome;

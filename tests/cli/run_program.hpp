@@ -18,15 +18,18 @@ struct Outcome {
   std::string err;
 };
 
-/// Starts the program with these file descriptors as its stdout and stderr. It is killed after two
-/// minutes, so that no test can hang.
-[[nodiscard]] pid_t start_program(const std::vector<std::string>& args, int out, int err);
+/// Starts the program with these file descriptors as its stdout, stderr and maybe stdin. It is
+/// killed after two minutes, so that no test can hang.
+[[nodiscard]] pid_t start_program(const std::vector<std::string>& args, int out, int err,
+                                  int in = -1);
 
 /// Waits for its end; 128 + signal where a signal ended it.
 [[nodiscard]] int wait_for_exit(pid_t process);
 
 /// Runs the program to its end.
-[[nodiscard]] Outcome run_program(const std::vector<std::string>& args);
+/// @param input  a file for its stdin
+[[nodiscard]] Outcome run_program(const std::vector<std::string>& args,
+                                  const std::filesystem::path& input = {});
 
 [[nodiscard]] std::string read_text(const std::filesystem::path& path);
 void write_text(const std::filesystem::path& path, const std::string& text);

@@ -82,6 +82,7 @@ TEST_P(CliExamples, Run) {
   const SyntheticScan scan = synthesize_part({.points = 300});
   write_cloud("scan.ply", scan.cloud);
   write_cloud("scan.xyz", scan.cloud);
+  write_cloud("scan.las", scan.cloud);
   write_cloud("part.ply", scan.cloud);
   write_mesh("part_truth.ply", scan.truth);
   int examples = 0;

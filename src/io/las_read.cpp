@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <deque>
+#include <numeric>
+#include <set>
+
+#include "io/bytes.hpp"
+#include "io/fields.hpp"
+#include "io/las.hpp"
+#include "io/las_extra.hpp"
+#include "io/las_fields.hpp"
+#include "io/las_header.hpp"
+#include "io/scalar_type.hpp"
+
+namespace deburr {
+namespace {
+
+constexpr std::size_t block = 1024;  ///< points that are read at once, which stay in the cache
+
+class LasReader {
+ public:
+  explicit LasReader(const Source& source)
+      : source_(source), header_(parse_las_header(source)), fields_(las_fields(header_.format)) {}
+
+  PointCloud read() {
+    find_extras();
+    check_scales();
+    make_columns();
+    for (std::size_t begin = 0; begin < header_.points; begin += block) {
+      source_.check_cancelled();
+      const std::size_t end = std::min(header_.points, begin + block);
+      read_coordinates(begin, end);
+      for (std::size_t k = 0; k < fields_.size(); ++k) read_field(k, begin, end);
+      for (std::size_t k = 0; k < extras_.size(); ++k) read_extra(k, begin, end);
+    }
+    resolve_names();
+    make_layout();
+    return std::move(cloud_);
+  }
+
+ private:
+  void find_extras() {
+    std::string descriptors;
+    for (const LasRecord& record : header_.records) {
+      if (record.is(las_spec, las_extra_id)) descriptors += record.data();
+    }
+    std::size_t place = las_point_bytes(header_.format);
+    extras_ = parse_las_extras(descriptors, header_.point_bytes - place);
+    std::vector<std::string> names{"x", "y", "z"};
+    for (LasExtra& extra : extras_) {
+      const bool is_number = extra.count == 1 && !extra.descriptor.empty();
+      names.push_back(is_number ? extra.name : "");
+      extra_places_.push_back(place);
+      place += extra.bytes();
+    }
+    const std::vector<int> roles = find_roles(names);
+    roles_.assign(roles.begin() + 3, roles.end());
+  }
+
+  /// Integers that their scale does not give back stay as they are.
+  void check_scales() {
+    for (std::size_t k = 0; k < extras_.size(); ++k) {
+      LasExtra& extra = extras_[k];
+      if (!extra.is_scaled) continue;
+      with_number_type(extra.type, [&]<typename T>(std::type_identity<T>) {
+        for (std::size_t i = 0; i < header_.points && extra.is_scaled; ++i) {
+          for (std::size_t j = 0; j < extra.count; ++j) {
+            const T raw = load_little<T>(point(i) + extra_places_[k] + j * sizeof(T));
+            const double value = static_cast<double>(raw) * extra.scale[j] + extra.offset[j];
+            extra.is_scaled = extra.is_scaled && unscale<T>(extra, j, value) == raw;
+          }
+        }
+      });
+    }
+  }
+
+  void make_columns() {
+    const std::size_t n = header_.points;
+    resize_large(cloud_.points, n);
+    for (const LasField& field : fields_) {
+      cloud_.attributes.push_back({std::string(field.name), zeros(field.type, n), {}});
+    }
+    if (std::ranges::count(roles_, 3) > 0) resize_large(cloud_.normals, n);
+    for (std::size_t k = 0; k < extras_.size(); ++k) {
+      if (roles_[k] != no_role) continue;
+      const LasExtra& extra = extras_[k];
+      Attribute attribute{extra.name, zeros(extra.value_type(), n * extra.count), {}};
+      for (std::size_t i = 0; extra.count > 1 && i <= n; ++i) {
+        attribute.offsets.push_back(i * extra.count);
+      }
+      attribute.length_type = extra.count <= 0xff ? ScalarType::UInt8 : ScalarType::UInt16;
+      cloud_.attributes.push_back(std::move(attribute));
+    }
+  }
+
+  [[nodiscard]] const char* point(std::size_t i) const {
+    return source_.data.data() + header_.point_offset + i * header_.point_bytes;
+  }
+
+  void read_coordinates(std::size_t begin, std::size_t end) {
+    const LasGrid& g = header_.grid;
+    for (std::size_t i = begin; i < end; ++i) {
+      const char* const p = point(i);
+      cloud_.points[i] = {load_little<std::int32_t>(p) * g.scale[0] + g.offset[0],
+                          load_little<std::int32_t>(p + 4) * g.scale[1] + g.offset[1],
+                          load_little<std::int32_t>(p + 8) * g.scale[2] + g.offset[2]};
+    }
+  }
+
+  void read_field(std::size_t k, std::size_t begin, std::size_t end) {
+    const LasField& field = fields_[k];
+    with_number_type(field.type, [&]<typename T>(std::type_identity<T>) {
+      auto& values = std::get<std::vector<T>>(cloud_.attributes[k].values);
+      for (std::size_t i = begin; i < end; ++i) {
+        const T value = load_little<T>(point(i) + field.byte);
+        if constexpr (std::is_same_v<T, std::uint8_t>) {
+          const unsigned mask = field.bits == 0 ? 0xffU : (1U << field.bits) - 1;
+          values[i] = static_cast<T>((static_cast<unsigned>(value) >> field.shift) & mask);
+        } else {
+          values[i] = value;
+        }
+      }
+    });
+  }
+
+  void read_extra(std::size_t k, std::size_t begin, std::size_t end) {
+    const LasExtra& extra = extras_[k];
+    const std::size_t place = extra_places_[k];
+    // Attributes of extras with a role are not there, so those before count.
+    const auto before = static_cast<std::size_t>(
+        std::count(roles_.begin(), roles_.begin() + static_cast<std::ptrdiff_t>(k), no_role));
+    const std::size_t index = fields_.size() + before;
+    with_number_type(extra.type, [&]<typename T>(std::type_identity<T>) {
+      const auto value = [&](std::size_t i, std::size_t j) {
+        return load_little<T>(point(i) + place + j * sizeof(T));
+      };
+      const auto real = [&](std::size_t i, std::size_t j) {
+        const auto raw = static_cast<double>(value(i, j));
+        return extra.is_scaled ? raw * extra.scale[j] + extra.offset[j] : raw;
+      };
+      if (roles_[k] != no_role) {
+        const auto axis = axes[static_cast<std::size_t>(roles_[k]) % 3];
+        for (std::size_t i = begin; i < end; ++i) cloud_.normals[i].*axis = real(i, 0);
+        return;
+      }
+      Values& values = cloud_.attributes[index].values;
+      for (std::size_t i = begin; i < end; ++i) {
+        for (std::size_t j = 0; j < extra.count; ++j) {
+          if (extra.is_scaled) {
+            std::get<std::vector<double>>(values)[i * extra.count + j] = real(i, j);
+          } else {
+            std::get<std::vector<T>>(values)[i * extra.count + j] = value(i, j);
+          }
+        }
+      }
+    });
+  }
+
+  static bool is_zero(const Attribute& attribute) {
+    return std::visit(
+        []<typename T>(const std::vector<T>& values) {
+          return std::ranges::all_of(values, [](const T& value) { return value == T{}; });
+        },
+        attribute.values);
+  }
+
+  /// Extra bytes can have any name, also one that is taken. If they have that of a field that is 0
+  /// everywhere, the field is what goes: a writer puts its zeros back.
+  void resolve_names() {
+    std::set<std::string> taken{"x", "y", "z"};
+    if (!cloud_.normals.empty()) {
+      for (std::size_t k = 0; k < extras_.size(); ++k) {
+        if (roles_[k] != no_role) taken.insert(extras_[k].name);
+      }
+    }
+    std::vector<Attribute> kept;
+    const auto first_extra =
+        cloud_.attributes.begin() + static_cast<std::ptrdiff_t>(fields_.size());
+    for (auto a = cloud_.attributes.begin(); a != first_extra; ++a) {
+      const bool wanted =
+          std::any_of(first_extra, cloud_.attributes.end(),
+                      [&](const Attribute& extra) { return extra.name == a->name; });
+      if (wanted && is_zero(*a)) continue;
+      taken.insert(a->name);
+      kept.push_back(std::move(*a));
+    }
+    for (auto a = first_extra; a != cloud_.attributes.end(); ++a) {
+      while (!taken.insert(a->name).second) a->name += '_';
+      kept.push_back(std::move(*a));
+    }
+    cloud_.attributes = std::move(kept);
+  }
+
+  void make_layout() {
+    FileLayout& layout = cloud_.layout;
+    layout.encoding = Encoding::Las;
+    for (const char* name : {"x", "y", "z"}) layout.fields.push_back({name, ScalarType::Float64});
+    const std::size_t extras_kept = static_cast<std::size_t>(std::ranges::count(roles_, no_role));
+    const std::size_t fields_kept = cloud_.attributes.size() - extras_kept;
+    auto attribute = cloud_.attributes.begin();
+    const auto add_attribute = [&] {
+      layout.fields.push_back({attribute->name, attribute->type()});
+      ++attribute;
+    };
+    for (std::size_t k = 0; k < fields_kept; ++k) add_attribute();
+    for (std::size_t k = 0; k < extras_.size(); ++k) {
+      if (roles_[k] == no_role) {
+        add_attribute();
+      } else {
+        layout.fields.push_back({extras_[k].name, extras_[k].value_type()});
+      }
+    }
+    layout.blocks.push_back({"LAS header", header_.bytes});
+    for (const LasRecord& record : header_.records) {
+      if (!record.is_extended && record.description() == las_comments &&
+          record.is(las_spec, las_text_id)) {
+        add_comments(record.data());
+      } else {
+        layout.blocks.push_back({record.name(), record.bytes});
+      }
+    }
+    if (!header_.gap.empty()) layout.blocks.push_back({"LAS gap", header_.gap});
+  }
+
+  void add_comments(std::string_view text) {
+    while (!text.empty()) {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      cloud_.layout.comments.emplace_back(text.substr(0, end));
+      text.remove_prefix(std::min(end + 1, text.size()));
+    }
+  }
+
+  const Source& source_;
+  LasHeader header_;
+  std::vector<LasField> fields_;
+  std::vector<LasExtra> extras_;
+  std::vector<std::size_t> extra_places_;
+  std::vector<int> roles_;  ///< of the extras
+  PointCloud cloud_;
+};
+
+}  // namespace
+
+Match match_las(std::string_view data) {
+  return data.starts_with("LASF") ? Match::Sure : Match::No;
+}
+
+PointCloud read_las(const Source& source) { return LasReader(source).read(); }
+
+}  // namespace deburr

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "deburr/error.hpp"
+#include "io/bytes.hpp"
+#include "io/las.hpp"
+#include "io/las_grid.hpp"
+#include "io/las_head.hpp"
+#include "io/las_plan.hpp"
+#include "io/scalar_type.hpp"
+
+namespace deburr {
+namespace {
+
+constexpr std::size_t block = 4096;  ///< points that are written at once
+
+class LasWriter {
+ public:
+  explicit LasWriter(const WriteJob& job)
+      : job_(job), cloud_(job.cloud), columns_(columns_of(job.cloud)) {
+    take_blocks();
+    plan_ = plan_las(cloud_, columns_, has_layout_ ? &old_ : nullptr, records_, losses_);
+    choose_coordinates();
+    if (!has_layout_) {
+      header_ = new_las_header(plan_.format);
+      old_.minor = plan_.format >= las_first_modern_format ? 4 : 2;
+    }
+    renew_las_records(records_, plan_, cloud_.layout, losses_);
+    losses_.add_elements(cloud_.layout);
+    losses_.add_foreign_blocks(cloud_.layout, "LAS ");
+  }
+
+  std::vector<std::string> write() {
+    count_points();
+    buffer_ = format_las_head(header_, old_.minor, plan_, grid_.grid, counts_, records_, gap_);
+    for (std::size_t begin = 0; begin < cloud_.size(); begin += block) {
+      append_points(begin, std::min(cloud_.size(), begin + block));
+      job_.flush(buffer_);
+    }
+    for (const LasRecord& record : records_) {
+      if (record.is_extended) buffer_ += record.bytes;
+    }
+    job_.flush(buffer_);
+    return losses_.take();
+  }
+
+ private:
+  void take_blocks() {
+    const FileLayout& layout = cloud_.layout;
+    if (layout.encoding != Encoding::Las) return;
+    for (const HeaderBlock& b : layout.blocks) {
+      if (!is_las_block(b)) {
+        throw std::invalid_argument(fmt::format("the block '{}' is none of LAS", b.name));
+      }
+      if (b.name == "LAS header") {
+        old_ = las_header_of(b);
+        header_ = b.data;
+        has_layout_ = true;
+      } else if (b.name == "LAS gap") {
+        gap_ = b.data;
+      } else if (b.name.starts_with("LAS extended record")) {
+        records_.push_back({b.data, true});
+      } else if (b.name.starts_with("LAS record")) {
+        records_.push_back({b.data, false});
+      }
+    }
+  }
+
+  void choose_coordinates() {
+    const auto bad = std::ranges::find_if_not(cloud_.points, is_finite);
+    if (bad != cloud_.points.end()) {
+      throw DataError(
+          fmt::format("LAS cannot hold the coordinates of point {}, which are not finite",
+                      bad - cloud_.points.begin() + 1));
+    }
+    std::optional<GridChoice> choice;
+    if (has_layout_) choice = refine_grid(old_.grid, cloud_.points, cloud_.layout.resolution);
+    const bool is_new = !choice;
+    if (is_new) choice = choose_grid(cloud_.points);
+    if (!choice) throw DataError("LAS cannot hold coordinates as large as these");
+    if (choice->is_coarse || (is_new && !choice->is_exact)) {
+      losses_.add(fmt::format("LAS rounds coordinates, here to multiples of {}",
+                              fmt::join(choice->grid.scale, ", ")));
+    }
+    grid_ = std::move(*choice);
+  }
+
+  void count_points() {
+    counts_.points = cloud_.size();
+    counts_.low = grid_.low;
+    counts_.high = grid_.high;
+    const Attribute* const returns = plan_.attribute_for("return_number");
+    if (returns == nullptr) {
+      // One return each: see append_points().
+      counts_.returns[1] = has_layout_ ? 0 : cloud_.size();
+      return;
+    }
+    std::visit(
+        [&]<typename T>(const std::vector<T>& values) {
+          if constexpr (!std::is_same_v<T, std::string>) {
+            for (const T value : values) ++counts_.returns.at(static_cast<std::size_t>(value));
+          }
+        },
+        returns->values);
+  }
+
+  void append_points(std::size_t begin, std::size_t end) {
+    const std::size_t stride = plan_.point_bytes;
+    const std::size_t start = buffer_.size();
+    buffer_.resize(start + (end - begin) * stride);
+    char* const to = buffer_.data() + start;
+    for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        store_little(to + (i - begin) * stride + 4 * k, grid_.integers[3 * i + k]);
+      }
+    }
+    for (const LasFieldSource& source : plan_.fields) {
+      store_field(source, to + source.field.byte, begin, end);
+    }
+    for (const LasExtraSource& source : plan_.extras) {
+      store_extra(source, to + source.place, begin, end);
+    }
+  }
+
+  void store_field(const LasFieldSource& source, char* to, std::size_t begin, std::size_t end) {
+    const LasField& field = source.field;
+    const std::size_t stride = plan_.point_bytes;
+    if (source.attribute == nullptr) {
+      // A point without any return would be none.
+      const bool is_return = field.name == "return_number" || field.name == "number_of_returns";
+      if (has_layout_ || !is_return) return;
+      for (std::size_t i = begin; i < end; ++i, to += stride) {
+        *to = static_cast<char>(static_cast<unsigned char>(*to) | 1U << field.shift);
+      }
+      return;
+    }
+    std::visit(
+        [&]<typename V>(const std::vector<V>& values) {
+          if constexpr (!std::is_same_v<V, std::string>) {
+            with_number_type(field.type, [&]<typename T>(std::type_identity<T>) {
+              for (std::size_t i = begin; i < end; ++i, to += stride) {
+                // A signed byte is a number here. NOLINTNEXTLINE(bugprone-signed-char-misuse)
+                const T value = static_cast<T>(values[i]);
+                if constexpr (std::is_same_v<T, std::uint8_t>) {
+                  *to = static_cast<char>(static_cast<unsigned char>(*to) |
+                                          static_cast<unsigned>(value) << field.shift);
+                } else {
+                  store_little(to, value);
+                }
+              }
+            });
+          }
+        },
+        source.attribute->values);
+  }
+
+  void store_extra(const LasExtraSource& source, char* to, std::size_t begin, std::size_t end) {
+    const LasExtra& extra = source.extra;
+    const std::size_t stride = plan_.point_bytes;
+    with_number_type(extra.type, [&]<typename T>(std::type_identity<T>) {
+      for (std::size_t i = begin; i < end; ++i, to += stride) {
+        if (source.normal != nullptr) {
+          store_little(to, static_cast<T>(source.normal->coordinate(i)));
+          continue;
+        }
+        for (std::size_t j = 0; j < extra.count; ++j) {
+          const std::size_t k = i * extra.count + j;
+          // The plan has seen to it that every value has its integer.
+          const T value =
+              extra.is_scaled
+                  ? unscale<T>(extra, j, std::get<std::vector<double>>(source.attribute->values)[k])
+                        .value_or(T{})
+                  : std::get<std::vector<T>>(source.attribute->values)[k];
+          store_little(to + j * sizeof(T), value);
+        }
+      }
+    });
+  }
+
+  const WriteJob& job_;
+  const PointCloud& cloud_;
+  std::vector<Column> columns_;
+  bool has_layout_ = false;
+  LasHeader old_;
+  std::string header_;
+  std::string gap_;
+  std::vector<LasRecord> records_;
+  Losses losses_{"LAS"};
+  LasPlan plan_;
+  GridChoice grid_;
+  LasCounts counts_;
+  std::string buffer_;
+};
+
+}  // namespace
+
+std::vector<std::string> write_las(const WriteJob& job) { return LasWriter(job).write(); }
+
+}  // namespace deburr

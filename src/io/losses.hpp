@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "deburr/point_cloud.hpp"
+
+namespace deburr {
+
+/// Collects, one sentence each, what a format could not hold.
+class Losses {
+ public:
+  explicit Losses(std::string_view format) : format_(format) {}
+
+  void add(std::string sentence) { sentences_.push_back(std::move(sentence)); }
+  /// An attribute that was left out.
+  void add(const Attribute& attribute);
+  /// An element that was left out.
+  void add(const Element& element);
+  /// All elements, but for these attributes of theirs.
+  void add_elements(const FileLayout& layout, const std::vector<const Attribute*>& kept = {});
+  /// Those blocks of the layout that belong to other formats than the one with this prefix.
+  void add_foreign_blocks(const FileLayout& layout, std::string_view own_prefix);
+  /// Comments and obj_info.
+  void add_comments(const FileLayout& layout);
+  /// Coordinates that are rounded to 32-bit floats and too large for them: coarse_float_step().
+  void add_coarse_floats(Points points);
+
+  [[nodiscard]] std::vector<std::string> take() { return std::move(sentences_); }
+
+ private:
+  std::string format_;
+  std::vector<std::string> sentences_;
+};
+
+/// The step of 32-bit floats at the largest finite coordinate, where it is more than 1e-5 of the
+/// diagonal of the bounding box; else 0. Survey coordinates far from the origin are such a case.
+[[nodiscard]] double coarse_float_step(Points points);
+
+}  // namespace deburr

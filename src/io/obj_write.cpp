@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "io/comments.hpp"
+#include "io/faces.hpp"
+#include "io/fields.hpp"
+#include "io/lines.hpp"
+#include "io/losses.hpp"
+#include "io/numbers.hpp"
+#include "io/obj.hpp"
+#include "io/obj_lines.hpp"
+#include "io/scalar_type.hpp"
+
+namespace deburr {
+namespace {
+
+constexpr std::size_t block = 4096;  ///< lines that are written at once
+
+constexpr std::array<std::string_view, 40> keywords{
+    "v",    "vn",         "vt",        "vp",     "f",      "l",      "p",        "o",
+    "g",    "s",          "mg",        "mtllib", "usemtl", "usemap", "maplib",   "cstype",
+    "deg",  "bmat",       "step",      "curv",   "curv2",  "surf",   "parm",     "trim",
+    "hole", "scrv",       "sp",        "end",    "con",    "bevel",  "c_interp", "d_interp",
+    "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",  "bsp",    "bzp",      "call"};
+
+class ObjWriter {
+ public:
+  explicit ObjWriter(const WriteJob& job)
+      : job_(job), cloud_(job.cloud), columns_(columns_of(job.cloud)) {
+    find_kept_lines();
+    find_numbers();
+    find_corners();
+    losses_.add_foreign_blocks(cloud_.layout, "OBJ ");
+  }
+
+  std::vector<std::string> write() {
+    if (kept_ != nullptr) {
+      replay();
+    } else {
+      write_anew();
+    }
+    // A file without any content could not be read again.
+    if (cloud_.size() == 0 && buffer_.empty()) buffer_ = "#\n";
+    job_.flush(buffer_);
+    return losses_.take();
+  }
+
+ private:
+  void find_kept_lines() {
+    if (cloud_.layout.encoding != Encoding::Obj) return;
+    const auto found = std::ranges::find_if(cloud_.layout.blocks, [](const HeaderBlock& b) {
+      return b.name.starts_with(obj_lines_name);
+    });
+    if (found == cloud_.layout.blocks.end()) return;
+    std::size_t vertices = 0;
+    Lines lines(found->data);
+    while (lines.next()) vertices += run_of(lines.line());
+    if (vertices == cloud_.size()) {
+      kept_ = &found->data;
+    } else {
+      losses_.add(
+          fmt::format("{} left out, which may refer to points that are not there", found->name));
+    }
+  }
+
+  static std::size_t run_of(std::string_view line) {
+    if (!line.starts_with(obj_run_mark)) return 0;
+    return parse_number<std::size_t>(line.substr(1)).value_or(0);
+  }
+
+  /// The attributes that a vertex line can have behind its place: colours, or w.
+  void find_numbers() {
+    const auto find = [&](std::string_view name) -> const Attribute* {
+      const auto found = std::ranges::find(cloud_.attributes, name, &Attribute::name);
+      const bool usable = found != cloud_.attributes.end() && !found->is_list() &&
+                          found->type() != ScalarType::Text;
+      return usable ? &*found : nullptr;
+    };
+    for (const char* name : {"red", "green", "blue", "alpha"}) {
+      if (const Attribute* const color = find(name)) numbers_.push_back(color);
+    }
+    const bool all_bytes = std::ranges::all_of(
+        numbers_, [](const Attribute* a) { return a->type() == ScalarType::UInt8; });
+    const bool no_bytes = std::ranges::none_of(
+        numbers_, [](const Attribute* a) { return is_integer_type(a->type()); });
+    const bool is_rgb = numbers_.size() >= 3 && numbers_[2]->name == "blue";
+    if (!is_rgb || (!all_bytes && !no_bytes)) numbers_.clear();
+    if (numbers_.empty() && cloud_.layout.encoding == Encoding::Obj) {
+      if (const Attribute* const w = find("w")) numbers_.push_back(w);
+    }
+    for (const Attribute& a : cloud_.attributes) {
+      if (std::ranges::find(numbers_, &a) == numbers_.end()) losses_.add(a);
+    }
+  }
+
+  void find_corners() {
+    faces_ = valid_faces(cloud_.layout, cloud_.size());
+    losses_.add_elements(cloud_.layout, {faces_.attribute});
+  }
+
+  void write_anew() {
+    append_comments(buffer_, cloud_.layout);
+    append_vertices(0, cloud_.size());
+    append_normals();
+    for (std::size_t face = 0; face < faces_.size(); ++face) {
+      if (face % block == 0) job_.flush(buffer_);
+      buffer_ += 'f';
+      for (const std::uint32_t corner : faces_[face]) {
+        append_number(buffer_ += ' ', corner + 1);
+        if (!cloud_.normals.empty()) append_number(buffer_ += "//", corner + 1);
+      }
+      buffer_ += '\n';
+    }
+  }
+
+  /// The lines of the input, with new vertices.
+  void replay() {
+    std::size_t vertex = 0;
+    Lines lines(*kept_);
+    while (lines.next()) {
+      const std::size_t run = run_of(lines.line());
+      if (run > 0) {
+        append_vertices(vertex, vertex + run);
+        vertex += run;
+        // Behind the last one, where no vertex follows any more.
+        if (vertex == cloud_.size()) append_normals();
+        continue;
+      }
+      buffer_ += lines.line();
+      buffer_ += '\n';
+      if (lines.number() % block == 0) job_.flush(buffer_);
+    }
+  }
+
+  void append_vertices(std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i % block == 0) job_.flush(buffer_);
+      buffer_ += 'v';
+      for (const double Vec3::*axis : axes) append_number(buffer_ += ' ', cloud_.points[i].*axis);
+      for (const Attribute* a : numbers_) append_value(*a, i);
+      buffer_ += '\n';
+    }
+  }
+
+  void append_value(const Attribute& attribute, std::size_t i) {
+    buffer_ += ' ';
+    std::visit(
+        [&]<typename T>(const std::vector<T>& values) {
+          if constexpr (std::is_same_v<T, std::uint8_t>) {
+            append_number(buffer_, values[i] / 255.0);
+          } else if constexpr (!std::is_same_v<T, std::string>) {
+            append_number(buffer_, values[i]);
+          }
+        },
+        attribute.values);
+  }
+
+  void append_normals() {
+    if (cloud_.normals.empty()) return;
+    // Normals that stand in the lines are not those of the points.
+    if (kept_ != nullptr && kept_->find("\nvn ") != std::string::npos) {
+      losses_.add("OBJ has other normals in its lines already, those of the points were left out");
+      return;
+    }
+    for (std::size_t i = 0; i < cloud_.size(); ++i) {
+      if (i % block == 0) job_.flush(buffer_);
+      buffer_ += "vn";
+      for (const double Vec3::*axis : axes) append_number(buffer_ += ' ', cloud_.normals[i].*axis);
+      buffer_ += '\n';
+    }
+  }
+
+  const WriteJob& job_;
+  const PointCloud& cloud_;
+  std::vector<Column> columns_;
+  const std::string* kept_ = nullptr;
+  std::vector<const Attribute*> numbers_;
+  Faces faces_;
+  Losses losses_{"OBJ"};
+  std::string buffer_;
+};
+
+}  // namespace
+
+std::string obj_run(std::size_t vertices) { return fmt::format("{}{}\n", obj_run_mark, vertices); }
+
+bool is_obj_keyword(std::string_view word) {
+  return std::ranges::find(keywords, word) != keywords.end();
+}
+
+bool is_byte_color(double value) {
+  if (!(value >= 0 && value <= 1) || std::signbit(value)) return false;
+  return static_cast<double>(std::lround(255 * value)) / 255.0 == value;
+}
+
+std::vector<std::string> write_obj(const WriteJob& job) { return ObjWriter(job).write(); }
+
+}  // namespace deburr

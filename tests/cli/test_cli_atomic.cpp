@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "deburr/io.hpp"
+#include "deburr/synth.hpp"
+#include "run_program.hpp"
+
+// Whatever happens, the old file or the new one is there, whole.
+
+namespace deburr::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+const std::vector<std::string> formats{"ply", "las", "pcd", "csv", "obj", "off"};
+
+class CliAtomic : public CliTest {
+ protected:
+  static std::ptrdiff_t files_in(const fs::path& folder) {
+    return std::distance(fs::directory_iterator(folder), {});
+  }
+};
+
+/// A run that writes a megabyte or more.
+std::vector<std::string> big_run(const std::string& out) {
+  return {"synth", "cube", out, "--points", "60000", "--quiet"};
+}
+
+TEST_F(CliAtomic, KilledAtAnyMoment) {
+  // Text takes longest to write, so that most of the moments lie there.
+  ASSERT_EQ(run_program(big_run("whole.csv")).exit_code, 0);
+  const std::string whole = read_text("whole.csv");
+  const int nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  for (unsigned i = 0; i < 32; ++i) {
+    write_text("out.csv", "precious");
+    const pid_t process = start_program(big_run("out.csv"), nothing, nothing);
+    (void)usleep(i * 1500);
+    (void)kill(process, SIGKILL);
+    (void)wait_for_exit(process);
+    const std::string left = read_text("out.csv");
+    EXPECT_TRUE(left == "precious" || left == whole) << i << ": " << left.size();
+  }
+  close(nothing);
+}
+
+/// Runs with a limit on the size of files, which is told as a full disk is.
+Outcome run_with_limit(const std::vector<std::string>& args, rlim_t bytes) {
+  rlimit before{};
+  (void)getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit limit{bytes, before.rlim_max};
+  (void)setrlimit(RLIMIT_FSIZE, &limit);
+  Outcome outcome = run_program(args);
+  (void)setrlimit(RLIMIT_FSIZE, &before);
+  return outcome;
+}
+
+TEST_F(CliAtomic, NoRoomForTheFile) {
+  for (const std::string& format : formats) {
+    const std::string name = "out." + format;
+    write_text(name, "precious");
+    const Outcome outcome = run_with_limit(big_run(name), 100000);
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_EQ(outcome.err, "deburr: " + name + ": cannot write: File too large\n");
+    EXPECT_EQ(read_text(name), "precious");
+    fs::remove(name);
+    EXPECT_EQ(files_in("."), 0);
+  }
+}
+
+TEST_F(CliAtomic, OutputsEqualToTheInputAndLinks) {
+  for (const std::string& format : formats) {
+    const std::string name = "scan." + format;
+    write_cloud("real." + format, synthesize_part({.points = 300}).cloud);
+    fs::create_symlink("real." + format, name);
+    ASSERT_EQ(run_program({"denoise", "real." + format, "out." + format}).exit_code, 0);
+    ASSERT_EQ(run_program({"denoise", name, name}).exit_code, 0);
+    EXPECT_TRUE(fs::is_symlink(name));
+    EXPECT_EQ(read_text("real." + format), read_text("out." + format)) << format;
+  }
+  EXPECT_EQ(files_in("."), std::ssize(formats) * 3);
+}
+
+/// A disk of 256 kB, where the test may have one.
+class SmallDisk {
+ public:
+  explicit SmallDisk(const fs::path& folder) : folder_(folder) {
+    fs::create_directory(folder);
+    is_there_ = mount("tmpfs", folder.c_str(), "tmpfs", 0, "size=256k") == 0;
+  }
+  ~SmallDisk() {
+    if (is_there_) (void)umount(folder_.c_str());
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+
+  [[nodiscard]] bool is_there() const { return is_there_; }
+  [[nodiscard]] bool make_read_only() const {
+    return mount("tmpfs", folder_.c_str(), "tmpfs", MS_REMOUNT | MS_RDONLY, "size=256k") == 0;
+  }
+
+ private:
+  fs::path folder_;
+  bool is_there_ = false;
+};
+
+TEST_F(CliAtomic, AFullAndAReadOnlyDisk) {
+  const SmallDisk disk("disk");
+  if (!disk.is_there()) GTEST_SKIP() << "no disk may be mounted here";
+  write_text("disk/out.ply", "precious");
+  const Outcome full = run_program(big_run("disk/out.ply"));
+  EXPECT_EQ(full.exit_code, 3);
+  EXPECT_THAT(full.err, HasSubstr("disk/out.ply: cannot write: No space left on device"));
+  EXPECT_EQ(read_text("disk/out.ply"), "precious");
+  EXPECT_EQ(files_in("disk"), 1);
+  ASSERT_TRUE(disk.make_read_only());
+  const Outcome locked = run_program({"synth", "cube", "disk/out.ply", "--points", "10"});
+  EXPECT_EQ(locked.exit_code, 3);
+  EXPECT_THAT(locked.err, HasSubstr("Read-only file system"));
+  EXPECT_EQ(read_text("disk/out.ply"), "precious");
+}
+
+}  // namespace
+}  // namespace deburr::cli

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "deburr/error.hpp"
+#include "deburr/io.hpp"
+#include "io/format.hpp"
+#include "support/same_values.hpp"
+
+// A target of libFuzzer: any bytes are read or refused, and what was read is written and read back
+// as the same. DEBURR_FUZZ_FORMAT is the name of the format.
+
+namespace deburr {
+namespace {
+
+[[noreturn]] void fail(const char* what) {
+  (void)std::fprintf(stderr, "%s\n", what);
+  std::abort();
+}
+
+/// Writes into memory.
+std::string written(const PointCloud& cloud, const char* format) {
+  static const int file = memfd_create("fuzz", MFD_CLOEXEC);
+  if (file < 0 || ftruncate(file, 0) != 0) fail("no file in memory");
+  (void)write_cloud("/dev/fd/" + std::to_string(file), cloud, {}, format);
+  std::string data(static_cast<std::size_t>(lseek(file, 0, SEEK_END)), '\0');
+  if (pread(file, data.data(), data.size(), 0) != static_cast<ssize_t>(data.size())) {
+    fail("the file in memory cannot be read");
+  }
+  return data;
+}
+
+void try_one(std::string data) {
+  PointCloud cloud;
+  try {
+    cloud = parse_cloud({"fuzz", std::move(data), {}}, DEBURR_FUZZ_FORMAT);
+  } catch (const IoError&) {
+    return;
+  }
+  std::string again;
+  try {
+    (void)write_cloud("/dev/null", cloud, {}, "ply");
+    again = written(cloud, DEBURR_FUZZ_FORMAT);
+  } catch (const DataError&) {
+    return;  // infinite coordinates in LAS
+  }
+  const PointCloud twice = parse_cloud({"again", again, {}}, DEBURR_FUZZ_FORMAT);
+  if (!same_values(twice.points, cloud.points)) fail("other points");
+  if (!same_values(twice.normals, cloud.normals)) fail("other normals");
+  if (twice.attributes.size() != cloud.attributes.size()) fail("other attributes");
+}
+
+}  // namespace
+}  // namespace deburr
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  deburr::try_one({data, data + size});
+  return 0;
+}

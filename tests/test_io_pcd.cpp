@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include <random>
+
+#include "io/lzf.hpp"
+#include "support/broken_files.hpp"
+#include "support/cloud_files.hpp"
+#include "support/ply_files.hpp"
+#include "support/same_cloud.hpp"
+
+namespace deburr {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+constexpr Encoding pcd_encodings[] = {Encoding::PcdAscii, Encoding::PcdBinary,
+                                      Encoding::PcdCompressed};
+
+std::string pcd_head(const std::string& fields, const std::string& sizes, const std::string& types,
+                     const std::string& points, const std::string& data) {
+  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS " + fields + "\nSIZE " +
+         sizes + "\nTYPE " + types + "\nWIDTH " + points + "\nHEIGHT 1\nPOINTS " + points +
+         "\nDATA " + data + "\n";
+}
+
+/// Eight points with what PCD can hold.
+PointCloud full_pcd(Encoding encoding) {
+  PointCloud cloud = full_cloud(Encoding::None);
+  cloud.layout = {};
+  cloud.layout.encoding = encoding;
+  cloud.layout.comments = {"by hand", ""};
+  std::erase_if(cloud.attributes, [](const Attribute& a) { return a.is_list(); });
+  cloud.attributes.push_back({"i64", extremes<std::int64_t>(), {}});
+  cloud.attributes.push_back({"u64", extremes<std::uint64_t>(), {}});
+  std::vector<float> histogram;
+  std::vector<std::size_t> offsets;
+  for (std::size_t i = 0; i <= 8; ++i) offsets.push_back(3 * i);
+  for (int i = 0; i < 24; ++i) histogram.push_back(0.1F * static_cast<float>(i));
+  cloud.attributes.push_back({"histogram", histogram, offsets, ScalarType::UInt8});
+  cloud.layout.fields = {{"y", ScalarType::Float64}};
+  for (const Attribute& a : cloud.attributes) cloud.layout.fields.push_back({a.name, a.type()});
+  for (const char* name : {"z", "x", "normal_x", "normal_y", "normal_z"}) {
+    cloud.layout.fields.push_back({name, ScalarType::Float64});
+  }
+  cloud.layout.blocks = {{"PCD viewpoint", "1 2 3 0.5 0.5 0.5 0.5"}, {"PCD rows", "2"}};
+  return cloud;
+}
+
+TEST(Pcd, KeepsEverythingInEveryEncoding) {
+  const TempDir dir;
+  for (const Encoding encoding : pcd_encodings) {
+    SCOPED_TRACE(static_cast<int>(encoding));
+    const PointCloud cloud = full_pcd(encoding);
+    EXPECT_THAT(write_cloud(dir / "a.pcd", cloud), IsEmpty());
+    const PointCloud again = read_cloud(dir / "a.pcd");
+    expect_same(again, cloud);
+    ASSERT_EQ(again.layout.blocks.size(), 2U);
+    EXPECT_EQ(again.layout.blocks[0].data, "1 2 3 0.5 0.5 0.5 0.5");
+    (void)write_cloud(dir / "b.pcd", again);
+    EXPECT_EQ(get(dir / "a.pcd"), get(dir / "b.pcd"));
+  }
+}
+
+TEST(Pcd, WritesTheseBytes) {
+  const TempDir dir;
+  using namespace std::string_literals;
+  PointCloud cloud = parsed(pcd_head("x y z i", "4 4 4 2", "F F F U", "1", "binary") +
+                            "\0\0\x80\x3f\0\0\0\x40\0\0\0\xc0\x02\x01"s);
+  EXPECT_THAT(cloud.points, ElementsAre(Vec3{1, 2, -2}));
+  EXPECT_THAT(values_of<std::uint16_t>(cloud, "i"), ElementsAre(258));
+  EXPECT_EQ(written_as(dir, cloud, "a.pcd"),
+            "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z i\n"
+            "SIZE 4 4 4 2\nTYPE F F F U\nCOUNT 1 1 1 1\nWIDTH 1\nHEIGHT 1\n"
+            "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 1\nDATA binary\n"
+            "\0\0\x80\x3f\0\0\0\x40\0\0\0\xc0\x02\x01"s);
+  cloud.layout.encoding = Encoding::PcdAscii;
+  EXPECT_THAT(written_as(dir, cloud, "a.pcd"), testing::EndsWith("DATA ascii\n1 2 -2 258\n"));
+}
+
+TEST(Pcd, UnpacksColoursAndPacksThemAgain) {
+  const TempDir dir;
+  for (const std::string type : {"F", "U", "I"}) {
+    PointCloud cloud = parsed(pcd_head("x y z rgb", "4 4 4 4", "F F F " + type, "1", "binary") +
+                              std::string(12, '\0') + std::string("\x03\x02\x01\0", 4));
+    EXPECT_THAT(field_names(cloud), ElementsAre("x", "y", "z", "red", "green", "blue"));
+    EXPECT_THAT(values_of<std::uint8_t>(cloud, "red"), ElementsAre(1));
+    EXPECT_THAT(values_of<std::uint8_t>(cloud, "green"), ElementsAre(2));
+    EXPECT_THAT(values_of<std::uint8_t>(cloud, "blue"), ElementsAre(3));
+    EXPECT_THAT(written_as(dir, cloud, "a.pcd"),
+                testing::EndsWith(std::string("\x03\x02\x01\0", 4)));
+    EXPECT_THAT(get(dir / "a.pcd"), HasSubstr("FIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F U\n"));
+    EXPECT_THAT(field_names(parsed(written_as(dir, cloud, "a.ply"))),
+                ElementsAre("x", "y", "z", "red", "green", "blue"));
+  }
+  const PointCloud text =
+      parsed(pcd_head("x y z rgb", "4 4 4 4", "F F F F", "1", "ascii") + "1 2 3 2.3418052e-38\n");
+  EXPECT_THAT(values_of<std::uint8_t>(text, "red"), ElementsAre(255));
+  const PointCloud alpha =
+      parsed(pcd_head("x y z rgba", "4 4 4 4", "F F F U", "1", "ascii") + "1 2 3 4278190081\n");
+  EXPECT_THAT(values_of<std::uint8_t>(alpha, "alpha"), ElementsAre(255));
+  EXPECT_THAT(written_as(dir, alpha, "a.pcd"), testing::EndsWith("1 2 3 4278190081\n"));
+}
+
+TEST(Pcd, ReadsOldAndSparseHeaders) {
+  EXPECT_EQ(parsed("VERSION .5\r\nCOLUMNS x y z\r\nSIZE 4 4 4\r\nTYPE F F F\r\nPOINTS 1\r\n"
+                   "DATA ascii\r\n1 2 3\r\n")
+                .points,
+            (std::vector<Vec3>{{1, 2, 3}}));
+  // Padding is no field.
+  const PointCloud cloud = parsed(
+      "# .PCD\n# note\nFIELDS x _ y _ z\nSIZE 4 1 4 1 4\nTYPE F U F U F\nCOUNT 1 2 1 1 1\nWIDTH 1\n"
+      "HEIGHT 1\nDATA ascii\n1 0 0 2 0 3\n");
+  EXPECT_THAT(cloud.points, ElementsAre(Vec3{1, 2, 3}));
+  EXPECT_THAT(cloud.attributes, IsEmpty());
+  EXPECT_THAT(cloud.layout.comments, ElementsAre("note"));
+}
+
+TEST(Pcd, LosesItsRowsWithTheFirstPointThatGoes) {
+  const TempDir dir;
+  PointCloud cloud;
+  cloud.points.resize(6);
+  cloud.layout.encoding = Encoding::PcdBinary;
+  cloud.layout.blocks = {{"PCD rows", "2"}};
+  EXPECT_THAT(written_as(dir, cloud, "a.pcd"), HasSubstr("WIDTH 3\nHEIGHT 2\n"));
+  cloud.points.resize(5);
+  EXPECT_THAT(written_as(dir, cloud, "a.pcd"), HasSubstr("WIDTH 5\nHEIGHT 1\n"));
+}
+
+TEST(Pcd, WritesFloatsAsFloatsAndSaysIfTheyAreCoarse) {
+  const TempDir dir;
+  PointCloud cloud;
+  cloud.points = {{500000.1, 1, 1}, {500001.3, 2, 2}};
+  EXPECT_THAT(write_cloud(dir / "a.pcd", cloud), IsEmpty());
+  EXPECT_EQ(read_cloud(dir / "a.pcd").points, cloud.points);
+  EXPECT_THAT(doubts_about(read_cloud(dir / "a.pcd")), IsEmpty());
+  for (const char* name : {"x", "y", "z"}) {
+    cloud.layout.fields.push_back({name, ScalarType::Float32});
+  }
+  EXPECT_THAT(write_cloud(dir / "a.pcd", cloud), ElementsAre(HasSubstr("0.031 apart")));
+  EXPECT_THAT(doubts_about(read_cloud(dir / "a.pcd")), ElementsAre(HasSubstr("0.031 apart")));
+  EXPECT_EQ(read_cloud(dir / "a.pcd").points[0].x, 500000.09375);
+  cloud.points = {{0.1, 1, 1}, {2, 2, 2}};
+  EXPECT_THAT(write_cloud(dir / "a.pcd", cloud), IsEmpty());
+}
+
+TEST(Pcd, NamesWhatIsWrong) {
+  const auto head = [](const std::string& points, const std::string& data) {
+    return pcd_head("x y z", "4 4 4", "F F F", points, data);
+  };
+  EXPECT_EQ(error_of(head("1", "ascii") + "1 2 3\n"), "");
+  EXPECT_THAT(error_of(head("2", "ascii") + "1 2 3\n"), HasSubstr("the file ends in point 2 of 2"));
+  EXPECT_EQ(error_of(head("1", "ascii") + "1 2,5 3\n"),
+            "line 10: decimal commas are not read; write numbers with a point, e.g. 1.5");
+  EXPECT_EQ(error_of(head("1", "ascii") + "1 2 3 4\n"),
+            "line 10: unexpected '4' behind the last field");
+  EXPECT_EQ(error_of(head("1", "ascii") + "1 2 \n   "), "line 10: the line ends before z");
+  EXPECT_THAT(error_of(head("1", "fast")), StartsWith("line 9: unknown DATA 'fast'"));
+  EXPECT_THAT(error_of(head("1099511627776", "binary") + "12345678"),
+              HasSubstr("point 1 of 1099511627776"));
+  EXPECT_THAT(error_of(head("18446744073709551615", "binary")), HasSubstr("line 9: "));
+  EXPECT_THAT(error_of(head("-1", "binary")), HasSubstr("line 6: '-1' is no value for WIDTH"));
+  EXPECT_THAT(error_of(pcd_head("x y z", "4 4", "F F F", "1", "ascii")), HasSubstr("2 of SIZE"));
+  EXPECT_THAT(error_of(pcd_head("x y z", "4 4 3", "F F F", "1", "ascii")),
+              HasSubstr("unknown TYPE F of SIZE 3"));
+  EXPECT_THAT(error_of(pcd_head("x y w", "4 4 4", "F F F", "1", "ascii") + "1 2 3\n"),
+              HasSubstr("the file has no field 'z'"));
+  EXPECT_THAT(error_of(pcd_head("x y z z", "4 4 4 4", "F F F F", "1", "ascii") + "1 2 3 4\n"),
+              HasSubstr("two fields have the name 'z'"));
+  using namespace std::string_literals;
+  EXPECT_THAT(error_of(head("1", "binary_compressed") + "\1\0\0\0\x0c\0\0\0\x40"s),
+              HasSubstr("the compressed data are damaged"));
+  EXPECT_THAT(error_of(head("1", "binary_compressed") + "\1\0\0\0\x0d\0\0\0\x40"s),
+              HasSubstr("13 bytes are announced, 1 points have 12"));
+}
+
+TEST(Lzf, UnpacksWhatItPacks) {
+  std::mt19937 random(1);
+  for (int run = 0; run < 300; ++run) {
+    std::string data(random() % 3000, '\0');
+    const unsigned variety = 1 + random() % 256;
+    for (char& c : data) c = static_cast<char>(random() % variety);
+    if (run % 3 == 0) data += data + data;
+    const std::string packed = lzf_pack(data);
+    EXPECT_LE(packed.size(), data.size() + data.size() / 32 + 1);
+    EXPECT_EQ(lzf_unpack(packed, data.size()), data);
+    EXPECT_EQ(lzf_unpack(packed, data.size() + 1), std::nullopt);
+    EXPECT_TRUE(data.empty() || !lzf_unpack(packed, data.size() - 1));
+  }
+  EXPECT_LT(lzf_pack(std::string(100000, 'a')).size(), 2000U);
+  // A literal, then a copy that overlaps itself: from the description of the format.
+  EXPECT_EQ(lzf_unpack(std::string("\x00"
+                                   "a"
+                                   "\x80\x00",
+                                   4),
+                       7),
+            "aaaaaaa");
+  EXPECT_EQ(lzf_unpack(std::string("\x00"
+                                   "a"
+                                   "\xe0\x01\x00",
+                                   5),
+                       11),
+            "aaaaaaaaaaa");
+}
+
+}  // namespace
+}  // namespace deburr
