@@ -37,6 +37,16 @@ NodeLevels make_levels(const AutomaticInput& input, Points measured, Points plac
   return {std::move(nodes), input.spacing * std::sqrt(per_node), input.noise, execution};
 }
 
+/// What the pilot found to be of no surface stays where it was measured.
+void keep_lone(const AutomaticInput& input, const std::vector<bool>& lone,
+               AutomaticResult& result) {
+  for (std::size_t i = 0; i < lone.size(); ++i) {
+    if (!lone[i]) continue;
+    result.points[i] = input.points[i];
+    result.labels[i] = Feature::Isolated;
+  }
+}
+
 }  // namespace
 
 AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& clock,
@@ -55,11 +65,15 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
     result.normals = std::move(pilot.normals);
     return 0;
   });
+  if (!input.parts.fits) {
+    keep_lone(input, lone, result);
+    return result;
+  }
 
   // A first pass tells how fits of every size fare, the second takes the best of them.
   const NodeLevels first =
       make_levels(input, input.points, result.points, result.normals, {}, part("fits", 0.4, 0.42));
-  const SheetFitter surveyor(first, input.noise);
+  const SheetFitter surveyor(first, input.noise, input.parts);
   std::vector<Sheet> sheets(first.nodes(0).size());
   // What fits of every size tell is pooled over many nodes, so not every node has to be asked.
   std::vector<Vec3> surveyed((sheets.size() + survey_step - 1) / survey_step);
@@ -89,20 +103,26 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
   });
   const Shares shares = clock.time(
       "landing", [&] { return land(input, first, sheets, result, part("landing", 0.6, 0.65)); });
+  if (!input.parts.second_pass) {
+    keep_lone(input, lone, result);
+    return result;
+  }
 
   const NodeLevels second = make_levels(input, shares.measured, shares.places, shares.normals,
                                         shares.trust, part("fits", 0.65, 0.67));
   clock.time("fits", [&] {
-    const std::vector<ScaleChoice> choices =
-        choose_scales(KdTree(surveyed, execution), surveyed_sheets, curves, second.nodes(0).places,
-                      second.nodes(0).normals, input.noise, first, part("fits", 0.67, 0.72));
-    const SheetFitter fitter(second, input.noise);
+    const std::vector<ScaleChoice> choices = choose_scales(
+        KdTree(surveyed, execution), surveyed_sheets, curves, second.nodes(0).places,
+        second.nodes(0).normals, input.noise, first, part("fits", 0.67, 0.72), input.parts);
+    const SheetFitter fitter(second, input.noise, input.parts);
     sheets.assign(second.nodes(0).size(), {});
+    // A node without a fit needs the sheets of others.
+    const std::size_t step = input.parts.surer_sheet && input.parts.blend ? wide_step : 1;
     parallel_blocks(sheets.size(), part("fits", 0.72, 0.9),
                     [&](std::size_t begin, std::size_t end) {
                       SheetFitter::Scratch scratch;
                       for (std::size_t i = begin; i < end; ++i) {
-                        if (i % wide_step != 0 && choices[i].scale >= wide_scale) continue;
+                        if (i % step != 0 && choices[i].scale >= wide_scale) continue;
                         sheets[i] = fitter.fit(static_cast<std::uint32_t>(i), scratch, choices[i]);
                       }
                     });
@@ -110,11 +130,7 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
   });
   clock.time("landing",
              [&] { return land(input, second, sheets, result, part("landing", 0.9, 1)); });
-  for (std::size_t i = 0; i < lone.size(); ++i) {
-    if (!lone[i]) continue;
-    result.points[i] = input.points[i];
-    result.labels[i] = Feature::Isolated;
-  }
+  keep_lone(input, lone, result);
   return result;
 }
 

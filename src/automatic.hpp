@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "automatic_parts.hpp"
 #include "deburr/execution.hpp"
 #include "deburr/features.hpp"
 #include "deburr/noise.hpp"
@@ -18,6 +19,7 @@ struct AutomaticInput {
   double noise = 0;     ///< standard deviation of the noise
   double spacing = 0;   ///< of the surface: square root of its area per point, > 0
   double max_move = 0;  ///< no point moves farther
+  AutomaticParts parts{};
 };
 
 /// Whether points are merged into nodes: from here on neighbourhoods as wide as the noise hold more

@@ -84,9 +84,9 @@ void run_yadav2018(const Yadav2018Options& options, const WorkingSet& set, bool 
 }
 
 /// The default method, on what is left when outliers are taken out.
-void run_automatic(const AutoOptions& options, const WorkingSet& set, bool keep_normals,
-                   State& state, std::vector<std::uint8_t>& outliers, Report& report,
-                   StageClock& clock, const Execution& execution) {
+void run_automatic(const AutoOptions& options, const AutomaticParts& parts, const WorkingSet& set,
+                   bool keep_normals, State& state, std::vector<std::uint8_t>& outliers,
+                   Report& report, StageClock& clock, const Execution& execution) {
   if (options.outliers != OutlierAction::Keep) {
     outliers = clock.time("outliers", [&] {
       return find_outliers(set.points, {}, sub_execution(execution, "outliers", 0.02, 0.15));
@@ -126,10 +126,10 @@ void run_automatic(const AutoOptions& options, const WorkingSet& set, bool keep_
       given_move > 0 ? given_move : std::min(most_deviations * noise, caution.max_move);
   const double least = least_noise * spacing;
   // Where much of the cloud has none, what looks like noise elsewhere is detail.
-  if (!(estimate.sigma > least)) local_noise.sigma.clear();
+  if (!(estimate.sigma > least) || !parts.noise_levels) local_noise.sigma.clear();
   for (double& sigma : local_noise.sigma) sigma *= strength;
   const NoiseLevels levels = find_noise_levels(local_noise.sigma, least);
-  const AutomaticInput input{points, normals, std::max(noise, least), spacing, max_move};
+  const AutomaticInput input{points, normals, std::max(noise, least), spacing, max_move, parts};
   const Execution part = sub_execution(execution, "denoise", 0.25, 1);
   AutomaticResult result;
   if (levels.sigma.empty()) {
@@ -173,6 +173,11 @@ void fill_result(const WorkingSet& set, const State& state, std::span<const std:
 
 DenoiseResult denoise(const PointCloud& cloud, const DenoiseOptions& options,
                       const Execution& execution) {
+  return denoise_with({}, cloud, options, execution);
+}
+
+DenoiseResult denoise_with(const AutomaticParts& parts, const PointCloud& cloud,
+                           const DenoiseOptions& options, const Execution& execution) {
   validate(options);
   (void)thread_count(execution);
   const bool has_normals = !cloud.normals.empty();
@@ -207,7 +212,8 @@ DenoiseResult denoise(const PointCloud& cloud, const DenoiseOptions& options,
   if (published) {
     run_yadav2018(options.yadav2018, set, keep_normals, state, report, clock, execution);
   } else {
-    run_automatic(options.automatic, set, keep_normals, state, outliers, report, clock, execution);
+    run_automatic(options.automatic, parts, set, keep_normals, state, outliers, report, clock,
+                  execution);
   }
   fill_result(set, state, outliers, result);
   for (const Feature label : result.labels) ++report.labels[static_cast<std::size_t>(label)];

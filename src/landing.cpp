@@ -53,13 +53,19 @@ class Lander {
     const Vec3& point = input_.points[i];
     auto& near = scratch.near;
     levels_.tree(0).nearest_beside(place, blended, scratch.hint, near);
-    const std::uint32_t own =
-        surer_sheet(point, levels_.nodes(0).of[i], near, sheets_, input_.noise, scratch.variances);
-    const Blend blend = blend_sheets(point, place, own, near, sheets_, scales_);
-    if (blend.valid && is_finite(blend.foot)) return finder_.land(point, blend, own, near);
+    std::uint32_t own = levels_.nodes(0).of[i];
+    if (input_.parts.surer_sheet) {
+      own = surer_sheet(point, own, near, sheets_, input_.noise, scratch.variances);
+    }
+    const Found alone{0, own};
+    const std::span<const Found> some =
+        input_.parts.blend ? std::span<const Found>(near) : std::span(&alone, 1);
+    const Blend blend = blend_sheets(point, place, own, some, sheets_, scales_);
+    const bool fitted = blend.valid && is_finite(blend.foot);
+    if (fitted && input_.parts.creases) return finder_.land(point, blend, own, near);
     // Without a fit the place so far is the best that is known.
-    Landing landing{place, normal};
-    landing.sheets[0] = {place, normal};
+    Landing landing = fitted ? Landing{blend.foot, blend.normal} : Landing{place, normal};
+    landing.sheets[0] = {landing.place, landing.normal};
     return landing;
   }
 
@@ -78,13 +84,15 @@ Vec3 bounded(const Vec3& place, const Vec3& point, double max_move) {
   return distance > max_move ? point + (max_move / distance) * move : place;
 }
 
-/// Puts point i onto the likeliest of its sheets, and what is left of it into the block.
-void share_out(std::uint32_t i, const Landing& landing, Shares& shares, Block& block) {
+/// Puts point i onto the likeliest of its sheets, and unless it is to be there as a whole,
+/// what is left of it into the block.
+void share_out(std::uint32_t i, const Landing& landing, bool whole, Shares& shares, Block& block) {
   const std::span<const CutSheet> here(landing.sheets.data(), landing.sheet_count);
   const auto likeliest = std::ranges::max_element(here, {}, &CutSheet::share);
   shares.places[i] = likeliest->foot;
   shares.normals[i] = likeliest->normal;
-  shares.trust[i] = likeliest->share;
+  shares.trust[i] = whole ? 1 : likeliest->share;
+  if (whole) return;
   for (auto s = here.begin(); s != here.end(); ++s) {
     if (s != likeliest && s->share > least_share) block.others.push_back({i, *s});
   }
@@ -114,7 +122,7 @@ Shares land(const AutomaticInput& input, const NodeLevels& levels, std::span<con
       if (landing.label != Feature::Surface) {
         block.edges.push_back({point, landing.sheets, landing.sheet_count});
       }
-      share_out(point, landing, shares, block);
+      share_out(point, landing, !input.parts.shares, shares, block);
     }
   });
   std::vector<EdgePoint> edges;

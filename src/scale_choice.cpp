@@ -87,13 +87,15 @@ std::array<double, sheet_scales> excess_of_cloud(std::span<const ScaleCurve> cur
 std::vector<ScaleChoice> choose_scales(const KdTree& tree, std::span<const Sheet> sheets,
                                        std::span<const ScaleCurve> curves, Points places,
                                        Normals normals, double noise, const NodeLevels& levels,
-                                       const Execution& execution) {
+                                       const Execution& execution, const AutomaticParts& parts) {
   const std::array<double, sheet_scales> of_cloud = excess_of_cloud(curves);
+  const std::size_t pooled = parts.pool ? pooled_nodes : 1;
+  const double by_chance = parts.pool && parts.cloud_misfit ? chance : 0;
   std::vector<ScaleChoice> choices(places.size());
   parallel_blocks(places.size(), execution, [&](std::size_t begin, std::size_t end) {
     std::vector<Found> found;
     for (std::size_t i = begin; i < end; ++i) {
-      tree.nearest_to(places[i], pooled_nodes, std::numeric_limits<double>::infinity(), found);
+      tree.nearest_to(places[i], pooled, std::numeric_limits<double>::infinity(), found);
       Pool pool;
       for (const Found& f : found) {
         if (dot(sheets[f.index].frame.w, normals[i]) >= same_side) {
@@ -102,7 +104,10 @@ std::vector<ScaleChoice> choose_scales(const KdTree& tree, std::span<const Sheet
       }
       ScaleChoice& choice = choices[i];
       const double reference = pool.reference(reference_freedom);
-      choice.noise = noise * std::clamp(std::sqrt(reference), least_noise, most_noise);
+      choice.noise = noise;
+      if (parts.local_sigma) {
+        choice.noise *= std::clamp(std::sqrt(reference), least_noise, most_noise);
+      }
       choice.curvature.fill(-1);
       const double most = *std::ranges::max_element(pool.count);
       double least = std::numeric_limits<double>::infinity();
@@ -113,7 +118,7 @@ std::vector<ScaleChoice> choose_scales(const KdTree& tree, std::span<const Sheet
         if (pool.count[s] < 0.5 * most || pool.count[s] == 0) continue;
         const double difference = pool.excess(s, reference) - of_cloud[s];
         const double significant =
-            std::max(difference - chance, 0.0) + std::min(difference + chance, 0.0);
+            std::max(difference - by_chance, 0.0) + std::min(difference + by_chance, 0.0);
         const std::size_t level = s / level_scales;
         const double free = level > 0 ? free_coarse_excess : free_excess;
         const double misfit =

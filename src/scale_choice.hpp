@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "automatic_parts.hpp"
 #include "deburr/execution.hpp"
 #include "kd_tree.hpp"
 #include "sheet_fit.hpp"
@@ -25,6 +26,7 @@ namespace deburr {
 std::vector<ScaleChoice> choose_scales(const KdTree& tree, std::span<const Sheet> sheets,
                                        std::span<const ScaleCurve> curves, Points places,
                                        Normals normals, double noise, const NodeLevels& levels,
-                                       const Execution& execution);
+                                       const Execution& execution,
+                                       const AutomaticParts& parts = {});
 
 }  // namespace deburr

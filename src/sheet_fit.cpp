@@ -89,7 +89,8 @@ Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& ch
       fewest_per_noise * ratio * ratio / fine.weights[i], fewest, double{fine_neighbors}));
   double area = scratch.samples.square(std::min(first, scratch.samples.size() - 1));
 
-  for (std::size_t scale = 0; scale <= choice.scale; ++scale, area *= growth) {
+  const std::size_t largest = std::min(choice.scale, parts_.levels * level_scales - 1);
+  for (std::size_t scale = 0; scale <= largest; ++scale, area *= growth) {
     const std::size_t level = scale / level_scales;
     const bool coarse = level > 0;
     if (coarse && scale % level_scales == 0) {
@@ -126,7 +127,7 @@ Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& ch
       curve->variance[scale] = static_cast<float>(best.variance);
       curve->curvature[scale] = static_cast<float>(bend);
       if (sheet.valid && best.residual > survey_excess * variance) break;
-    } else {
+    } else if (parts_.guards) {
       const double height = best.surface.c[0];
       const double deviation = agreement * run.noise * std::sqrt(best.variance);
       const double low = std::max(run.low, height - deviation);

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "automatic_parts.hpp"
 #include "kd_tree.hpp"
 #include "node_levels.hpp"
 #include "sheet.hpp"
@@ -40,7 +41,8 @@ struct ScaleChoice {
 class SheetFitter {
  public:
   /// @param noise  standard deviation of the noise of a single point
-  SheetFitter(const NodeLevels& levels, double noise) : levels_(levels), noise_(noise) {}
+  SheetFitter(const NodeLevels& levels, double noise, const AutomaticParts& parts = {})
+      : levels_(levels), noise_(noise), parts_(parts) {}
 
   static constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -65,6 +67,7 @@ class SheetFitter {
 
   const NodeLevels& levels_;
   double noise_;
+  AutomaticParts parts_;
 };
 
 }  // namespace deburr
