@@ -33,8 +33,7 @@ Blend blend_sheets(const Vec3& point, const Vec3& place, std::uint32_t own,
     if (!(w > 0)) continue;
     const Sheet::Meeting here = sheet.meet(place);
     const double off = here.distance / reach;
-    w *= w * belonging(squared_norm(here.normal - at_own.normal), off) /
-         sheet.variance;
+    w *= w * belonging(squared_norm(here.normal - at_own.normal), off) / sheet.variance;
     if (!(w > 0)) continue;
     const Sheet::Meeting m = sheet.meet(point);
     move += (-w * m.distance) * m.normal;

@@ -18,8 +18,8 @@ struct TwoSheets {
   /// How often points next to each other across the surface are of different sheets, over how often
   /// they would be by chance: about 1 where sheets lie over each other, little at a step.
   double mixing = 0;
-  /// Density of the heights halfway between the surfaces over that at the surfaces: noise that is as
-  /// likely everywhere within bounds has 1, and passes for two surfaces otherwise.
+  /// Density of the heights halfway between the surfaces over that at the surfaces: noise that is
+  /// as likely everywhere within bounds has 1, and passes for two surfaces otherwise.
   double valley = 1;
 };
 
