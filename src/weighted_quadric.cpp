@@ -29,8 +29,10 @@ constexpr std::array<std::array<std::uint8_t, 6>, 6> product{{{0, 1, 2, 3, 4, 5}
 
 Matrix6 matrix_of(const std::array<double, WeightedQuadric::moments>& sums) {
   Matrix6 m;
-  for (int r = 0; r < 6; ++r) {
-    for (int c = 0; c < 6; ++c) m(r, c) = sums[product[r][c]];
+  for (std::size_t r = 0; r < 6; ++r) {
+    for (std::size_t c = 0; c < 6; ++c) {
+      m(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = sums[product[r][c]];
+    }
   }
   return m;
 }
