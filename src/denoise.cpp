@@ -119,8 +119,8 @@ void run_automatic(const AutoOptions& options, const AutomaticParts& parts, cons
   constexpr std::array by_strength{0.5, 1 / std::numbers::sqrt2, 1.0, std::numbers::sqrt2, 2.0};
   const double strength = by_strength.at(static_cast<std::size_t>(options.strength - 1));
   const Caution caution(options.noise > 0 ? NoiseEstimate{} : estimate);
-  const double noise =
-      strength * (options.noise > 0 ? local(options.noise) : caution.noise * estimate.sigma);
+  const double found = strength * (options.noise > 0 ? local(options.noise) : estimate.sigma);
+  const double noise = caution.noise * found;
   const double given_move = local(options.max_move);
   double max_move =
       given_move > 0 ? given_move : std::min(most_deviations * noise, caution.max_move);
@@ -138,7 +138,7 @@ void run_automatic(const AutoOptions& options, const AutomaticParts& parts, cons
     result = denoise_at_levels(input, levels, given_move, most_deviations, clock, part);
     if (!(given_move > 0)) max_move = most_deviations * levels.sigma.back();
   }
-  report.noise = set.length(noise);
+  report.noise = set.length(found);
   report.max_move = set.length(max_move);
   report.kept_normals = result.kept_normals;
   for (std::size_t at = 0; at < kept.size(); ++at) {

@@ -89,7 +89,8 @@ struct Report {
   std::size_t duplicates = 0;
   std::size_t outliers = 0;             ///< points found to be no part of the surface
   double spacing = 0;                   ///< dbar, input units
-  double noise = 0;                     ///< standard deviation of the noise as assumed, input units
+  double noise = 0;                     ///< standard deviation of the noise as found or given, with
+                                        ///< the strength in it, input units
   double max_move = 0;                  ///< the bound on the movement that was used, input units
   bool kept_normals = false;            ///< whether the first normals came from the cloud
   std::array<std::size_t, 4> labels{};  ///< of `points`, those per Feature, in its order
