@@ -54,26 +54,10 @@ decltype(auto) with_number_type(ScalarType type, const F& f) {
 /// Calls f(std::type_identity<T>{}) with the T of a type that a PLY file can hold.
 template <typename F>
 decltype(auto) with_ply_type(ScalarType type, const F& f) {
-  switch (type) {
-    case ScalarType::Int8:
-      return f(std::type_identity<std::int8_t>{});
-    case ScalarType::UInt8:
-      return f(std::type_identity<std::uint8_t>{});
-    case ScalarType::Int16:
-      return f(std::type_identity<std::int16_t>{});
-    case ScalarType::UInt16:
-      return f(std::type_identity<std::uint16_t>{});
-    case ScalarType::Int32:
-      return f(std::type_identity<std::int32_t>{});
-    case ScalarType::UInt32:
-      return f(std::type_identity<std::uint32_t>{});
-    case ScalarType::Float32:
-      return f(std::type_identity<float>{});
-    case ScalarType::Float64:
-      return f(std::type_identity<double>{});
-    default:
-      throw std::logic_error("not a type of PLY");
+  if (type == ScalarType::Int64 || type == ScalarType::UInt64) {
+    throw std::logic_error("not a type of PLY");
   }
+  return with_number_type(type, f);
 }
 
 /// Size in bytes of a number in a binary file.
