@@ -2,25 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "corners.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "kd_tree.hpp"
 #include "parallel.hpp"
-#include "sym3.hpp"
+#include "three_planes.hpp"
 #include "unit.hpp"
 
 namespace deburr {
 namespace {
 
 constexpr double around = 2.5;       ///< spacings from a point to those that have a say
-constexpr double same_sheet = 0.9;   ///< cosine between normals of one sheet
-constexpr double apart = 0.866;      ///< at least 30 degrees between sheets that make a corner
 constexpr double least_share = 0.2;  ///< of the points around, that must know of a sheet
 constexpr double fewest = 3;
 constexpr double corner_width = 1.4;  ///< spacings from a corner to points that are labelled as it
-constexpr double least_determinant = 0.1;
 
 /// A sheet that several edge points know of, as a plane: dot(normal, x) = offset for x seen from
 /// the point that asks.
@@ -61,18 +57,15 @@ std::vector<Plane> planes_around(std::span<const EdgePoint> edges, std::span<con
 bool meet_within(std::span<const Plane> planes, double distance) {
   for (std::size_t i = 0; i < planes.size(); ++i) {
     for (std::size_t j = i + 1; j < planes.size(); ++j) {
-      if (dot(planes[i].normal, planes[j].normal) > apart) continue;
+      if (dot(planes[i].normal, planes[j].normal) > other_sheet) continue;
       for (std::size_t k = j + 1; k < planes.size(); ++k) {
-        if (dot(planes[i].normal, planes[k].normal) > apart ||
-            dot(planes[j].normal, planes[k].normal) > apart) {
+        if (dot(planes[i].normal, planes[k].normal) > other_sheet ||
+            dot(planes[j].normal, planes[k].normal) > other_sheet) {
           continue;
         }
-        Eigen::Matrix3d m;
-        m << to_eigen(planes[i].normal).transpose(), to_eigen(planes[j].normal).transpose(),
-            to_eigen(planes[k].normal).transpose();
-        if (std::abs(m.determinant()) < least_determinant) continue;
-        const Eigen::Vector3d offsets(planes[i].offset, planes[j].offset, planes[k].offset);
-        if ((m.inverse() * offsets).norm() < distance) return true;
+        const auto place = three_planes_meet(planes[i].normal, planes[i].offset, planes[j].normal,
+                                             planes[j].offset, planes[k].normal, planes[k].offset);
+        if (place && norm(*place) < distance) return true;
       }
     }
   }

@@ -2,25 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "crease.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "sym3.hpp"
+#include "three_planes.hpp"
 #include "unit.hpp"
 
 namespace deburr {
 namespace {
 
-constexpr double same_sheet = 0.9;     ///< cosine between normals of one sheet
-constexpr double other_sheet = 0.866;  ///< 30 degrees: below, two sheets meet in an edge
-constexpr double opposite = -0.9;      ///< the far side of a thin part ends no sheet
+constexpr double opposite = -0.9;  ///< the far side of a thin part ends no sheet
 constexpr std::size_t fewest_members = 3;
 constexpr std::size_t most_planes = 2;  ///< besides the own one: three make a corner
 constexpr double near_share = 0.8;      ///< of the reach, from a sheet to a corner of it
 constexpr double clear_majority = 0.5;  ///< of the members, on one side of a plane
-constexpr double least_determinant = 0.1;
 
 /// A sheet is none of its own if its surest fit has so many times the variance of the surest
 /// around.
@@ -38,14 +34,6 @@ std::optional<Vec3> onto_line(const Vec3& at, const Vec3& normal, const Vec3& ot
   const double square = squared_norm(across);
   if (!(square > 1 - other_sheet * other_sheet)) return std::nullopt;
   return at - (distance / square) * across;
-}
-
-std::optional<Vec3> intersection(const Vec3& n1, double d1, const Vec3& n2, double d2,
-                                 const Vec3& n3, double d3) {
-  Eigen::Matrix3d m;
-  m << to_eigen(n1).transpose(), to_eigen(n2).transpose(), to_eigen(n3).transpose();
-  if (std::abs(m.determinant()) < least_determinant) return std::nullopt;
-  return to_vec3(m.inverse() * Eigen::Vector3d(d1, d2, d3));
 }
 
 bool comes_near(std::span<const Vec3> members, const Vec3& place, double distance) {
@@ -200,8 +188,8 @@ Landing CreaseFinder::land(const Vec3& point, const Blend& blend, std::uint32_t 
   }
   find_shares(point, self, planes, landing);
   if (planes.size() < most_planes) return landing;
-  const auto corner = intersection(self.normal, self.offset, planes[0].normal, planes[0].offset,
-                                   planes[1].normal, planes[1].offset);
+  const auto corner = three_planes_meet(self.normal, self.offset, planes[0].normal,
+                                        planes[0].offset, planes[1].normal, planes[1].offset);
   if (!corner) return landing;
   const bool meet = std::ranges::all_of(planes, [&](const Plane& plane) {
     return comes_near(plane.members, *corner, near_share * reach());

@@ -17,6 +17,9 @@ struct CutSheet {
   double share = 1;  ///< how likely the point is of this sheet
 };
 
+inline constexpr double same_sheet = 0.9;     ///< cosine between normals of one sheet, at least
+inline constexpr double other_sheet = 0.866;  ///< 30 degrees: below, two sheets meet in an edge
+
 /// Sheets that one point may be of: three make a corner.
 inline constexpr std::size_t most_sheets = 3;
 

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 class Scans : public testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
-    if (!fs::exists(path)) GTEST_SKIP() << path << " is not there";
+    if (!fs::exists(path)) GTEST_SKIP() << "NOT TESTED: the scan " << path << " is not there";
   }
   const fs::path path = fs::path(DEBURR_SOURCE_DIR) / "../shared/data/scans" / GetParam();
 };
