@@ -3,6 +3,7 @@
 #include "landing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "corners.hpp"
@@ -14,7 +15,11 @@
 namespace deburr {
 namespace {
 
-constexpr std::size_t blended = 100;  ///< nodes around a point that its landing is made of
+/// Nodes around a point whose sheets, as far as they have one, its landing is made of.
+constexpr std::size_t around_nodes = 100;
+constexpr std::size_t fewest_sheets = 20;
+constexpr std::size_t most_sheets_around = 60;
+constexpr std::size_t edge_sheets = 50;  ///< by an edge
 
 /// Less of a point is not worth a place among the nodes of another sheet.
 constexpr double least_share = 0.02;
@@ -34,29 +39,40 @@ struct Block {
 /// One landing of all points.
 class Lander {
  public:
-  Lander(const AutomaticInput& input, const NodeLevels& levels, std::span<const Sheet> sheets)
+  Lander(const AutomaticInput& input, const NodeLevels& levels, const SheetSet& set,
+         const SheetsAround& around)
       : input_(input),
         levels_(levels),
-        sheets_(sheets),
+        set_(set),
+        sheets_(set.sheets()),
+        by_edge_(around.by_edge),
+        blended_(std::clamp(around_nodes / around.step, fewest_sheets, most_sheets_around)),
         scales_{input.noise, levels.spacing()},
-        finder_(sheets, scales_, input.spacing) {}
+        finder_(set.sheets(), scales_, input.spacing) {}
 
   /// Buffers of one thread.
   struct Scratch {
     std::vector<Found> near;
     std::vector<double> variances;
-    double hint = std::numeric_limits<double>::infinity();  ///< of searches
+    /// Of searches among the even choice and among all.
+    std::array<double, 2> hints{infinite, infinite};
   };
 
   /// Where point i comes to lie from where it was taken to lie so far.
   Landing land(std::size_t i, const Vec3& place, const Vec3& normal, Scratch& scratch) const {
     const Vec3& point = input_.points[i];
     auto& near = scratch.near;
-    levels_.tree(0).nearest_beside(place, blended, scratch.hint, near);
-    std::uint32_t own = levels_.nodes(0).of[i];
+    const std::uint32_t node = levels_.nodes(0).of[i];
+    if (!by_edge_.empty() && by_edge_[node] != 0) {
+      set_.all().nearest_beside(place, edge_sheets, scratch.hints[1], near);
+    } else {
+      set_.even().nearest_beside(place, blended_, scratch.hints[0], near);
+    }
+    std::uint32_t own = set_.of(node);
     if (input_.parts.surer_sheet) {
       own = surer_sheet(point, own, near, sheets_, input_.noise, scratch.variances);
     }
+    if (own == SheetSet::none) return on_one_sheet(place, normal);
     const Found alone{0, own};
     const std::span<const Found> some =
         input_.parts.blend ? std::span<const Found>(near) : std::span(&alone, 1);
@@ -64,15 +80,24 @@ class Lander {
     const bool fitted = blend.valid && is_finite(blend.foot);
     if (fitted && input_.parts.creases) return finder_.land(point, blend, own, near);
     // Without a fit the place so far is the best that is known.
-    Landing landing = fitted ? Landing{blend.foot, blend.normal} : Landing{place, normal};
-    landing.sheets[0] = {landing.place, landing.normal};
-    return landing;
+    return fitted ? on_one_sheet(blend.foot, blend.normal) : on_one_sheet(place, normal);
   }
 
  private:
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+
+  static Landing on_one_sheet(const Vec3& place, const Vec3& normal) {
+    Landing landing{place, normal};
+    landing.sheets[0] = {place, normal};
+    return landing;
+  }
+
   const AutomaticInput& input_;
   const NodeLevels& levels_;
+  const SheetSet& set_;
   std::span<const Sheet> sheets_;
+  std::span<const std::uint8_t> by_edge_;
+  std::size_t blended_;
   BlendScales scales_;
   CreaseFinder finder_;
 };
@@ -91,6 +116,7 @@ void share_out(std::uint32_t i, const Landing& landing, bool whole, Shares& shar
   const auto likeliest = std::ranges::max_element(here, {}, &CutSheet::share);
   shares.places[i] = likeliest->foot;
   shares.normals[i] = likeliest->normal;
+  shares.by_edge[i] = here.size() > 1 ? 1 : 0;
   shares.trust[i] = whole ? 1 : likeliest->share;
   if (whole) return;
   for (auto s = here.begin(); s != here.end(); ++s) {
@@ -100,16 +126,18 @@ void share_out(std::uint32_t i, const Landing& landing, bool whole, Shares& shar
 
 }  // namespace
 
-Shares land(const AutomaticInput& input, const NodeLevels& levels, std::span<const Sheet> sheets,
-            AutomaticResult& result, const Execution& execution) {
+Shares land(const AutomaticInput& input, const NodeLevels& levels, const NodeSheets& sheets,
+            const SheetsAround& around, AutomaticResult& result, const Execution& execution) {
   const std::size_t count = input.points.size();
   Shares shares;
   shares.measured.assign(input.points.begin(), input.points.end());
   shares.places.resize(count);
   shares.normals.resize(count);
   shares.trust.resize(count);
+  shares.by_edge.resize(count);
   std::vector<Block> blocks((count + block_size - 1) / block_size);
-  const Lander lander(input, levels, sheets);
+  const SheetSet set(sheets, levels.nodes(0).size(), execution);
+  const Lander lander(input, levels, set, around);
   parallel_blocks(count, execution, [&](std::size_t begin, std::size_t end) {
     Lander::Scratch scratch;
     Block& block = blocks[begin / block_size];
@@ -132,6 +160,7 @@ Shares land(const AutomaticInput& input, const NodeLevels& levels, std::span<con
       shares.places.push_back(other.sheet.foot);
       shares.normals.push_back(other.sheet.normal);
       shares.trust.push_back(other.sheet.share);
+      shares.by_edge.push_back(1);
     }
     edges.insert(edges.end(), block.edges.begin(), block.edges.end());
   }

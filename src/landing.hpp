@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "automatic.hpp"
 #include "node_levels.hpp"
-#include "sheet.hpp"
+#include "sheet_set.hpp"
 
 namespace deburr {
 
@@ -15,16 +17,24 @@ namespace deburr {
 /// the order of the input, then what is left of those that may be of others.
 struct Shares {
   std::vector<Vec3> measured;
-  std::vector<Vec3> places;   ///< on the sheet
-  std::vector<Vec3> normals;  ///< of the sheet there
-  std::vector<double> trust;  ///< how likely the point is of the sheet, in (0, 1]
+  std::vector<Vec3> places;           ///< on the sheet
+  std::vector<Vec3> normals;          ///< of the sheet there
+  std::vector<double> trust;          ///< how likely the point is of the sheet, in (0, 1]
+  std::vector<std::uint8_t> by_edge;  ///< whether it may be of others too
+};
+
+/// How many sheets around a point its landing is made of.
+struct SheetsAround {
+  std::size_t step = 1;  ///< of the even choice: one of so many nodes has a sheet
+  /// Of each node, whether its points look at all sheets; empty if none does.
+  std::span<const std::uint8_t> by_edge;
 };
 
 /// Lands every point on the sheets around it: sets its place, its normal and its label.
 /// @param levels  nodes that the points of the input were put into first, in their order
-/// @param sheets  of the nodes of level 0
+/// @param sheets  of nodes of level 0
 /// @param result  with the places so far; a point that nothing was fitted around keeps its own
-Shares land(const AutomaticInput& input, const NodeLevels& levels, std::span<const Sheet> sheets,
-            AutomaticResult& result, const Execution& execution);
+Shares land(const AutomaticInput& input, const NodeLevels& levels, const NodeSheets& sheets,
+            const SheetsAround& around, AutomaticResult& result, const Execution& execution);
 
 }  // namespace deburr

@@ -17,9 +17,9 @@
 namespace deburr {
 namespace {
 
-constexpr int rounds = 5;
+constexpr int rounds = 2;
 constexpr double normal_scale = 0.35;
-constexpr double step = 0.5;
+constexpr double step = 0.8;
 
 /// Scale of the weights: so many spacings and so many standard deviations of the noise.
 constexpr double scale_spacings = 0.45;

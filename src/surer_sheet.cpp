@@ -25,7 +25,7 @@ std::uint32_t surer_sheet(const Vec3& point, std::uint32_t own, std::span<const 
   const auto quarter = variances.begin() + static_cast<std::ptrdiff_t>(variances.size() / 4);
   std::ranges::nth_element(variances, quarter);
   const double most = most_ratio * *quarter;
-  if (sheets[own].valid && sheets[own].variance <= most) return own;
+  if (own != KdTree::no_point && sheets[own].valid && sheets[own].variance <= most) return own;
   for (const Found& f : near) {
     const Sheet& sheet = sheets[f.index];
     if (!sheet.valid || sheet.variance > most) continue;

@@ -11,12 +11,13 @@
 
 namespace deburr {
 
-/// The node whose sheet stands for a point: its own, unless that has no fit or is far less sure
-/// than those around. Then the normal that it was made with was none of a surface, and the nearest
-/// sure sheet that the noise lets the point be of takes its place, if there is one. Sure is what
-/// has at most three times the lower quartile of the variances around.
+/// The sheet that stands for a point: that of its own node, unless there is none or it is far less
+/// sure than those around. Then the normal that it was made with was none of a surface, and the
+/// nearest sure sheet that the noise lets the point be of takes its place, if there is one. Sure is
+/// what has at most three times the lower quartile of the variances around.
 /// @param point  where it was measured
-/// @param near  nodes around it, nearest first
+/// @param own  KdTree::no_point for none
+/// @param near  sheets around it, nearest first
 /// @param noise  standard deviation: a point is no farther than three times that from its sheet
 /// @param variances  a buffer
 std::uint32_t surer_sheet(const Vec3& point, std::uint32_t own, std::span<const Found> near,
