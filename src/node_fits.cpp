@@ -43,8 +43,8 @@ NodeSheets fit_each(std::size_t nodes, std::size_t even_step, const Execution& e
 FitSteps fit_steps(double ratio, const AutomaticParts& parts) {
   // Who leaves out what takes the place of a missing sheet needs that of every node.
   if (!parts.surer_sheet || !parts.blend) return {1, 1, 1};
-  if (ratio < 0.25) return {1, 1, 1};
-  if (ratio < 0.5) return {2, 2, 1};
+  if (ratio < 0.35) return {1, 1, 1};
+  if (ratio < 0.6) return {2, 2, 1};
   return {3, 8, 2};
 }
 
