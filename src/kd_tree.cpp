@@ -119,15 +119,6 @@ void KdTree::nearest(const Vec3& at, std::uint32_t excluded, std::size_t count,
   sort.sort(found, std::min(count, found.size()), farthest);
 }
 
-void KdTree::nearest_beside(const Vec3& at, std::size_t count, double& hint,
-                            std::vector<Found>& found, std::uint32_t excluded) const {
-  constexpr double no_limit = std::numeric_limits<double>::infinity();
-  constexpr double margin = 1.4;
-  nearest(at, excluded, count, hint, found);
-  if (found.size() < count && hint < no_limit) nearest(at, excluded, count, no_limit, found);
-  if (found.size() == count && count > 0) hint = margin * found.back().squared_distance;
-}
-
 void KdTree::within(const Vec3& at, std::uint32_t excluded, double squared_radius,
                     std::vector<Found>& found) const {
   found.clear();
@@ -161,6 +152,25 @@ Found KdTree::nearest_to(const Vec3& at) const {
   Found best{std::numeric_limits<double>::infinity(), any_index};
   search(0, at, best, [&](const Found& f) { best = std::min(best, f); });
   return best;
+}
+
+void KdTree::runs_within(const Vec3& at, double squared_radius, std::vector<Run>& runs) const {
+  runs.clear();
+  if (!nodes_.empty()) add_runs(0, at, squared_radius, runs);
+}
+
+void KdTree::add_runs(std::uint32_t node, const Vec3& at, double squared_radius,
+                      std::vector<Run>& runs) const {
+  const Node& n = nodes_[node];
+  if (squared_distance(at, n.box) > squared_radius) return;
+  if (n.right != 0 && squared_distance_to_farthest(at, n.box) > squared_radius) {
+    add_runs(node + 1, at, squared_radius, runs);
+    add_runs(n.right, at, squared_radius, runs);
+  } else if (!runs.empty() && runs.back().end == n.begin) {
+    runs.back().end = n.end;
+  } else {
+    runs.push_back({n.begin, n.end});
+  }
 }
 
 std::size_t KdTree::count_within(std::uint32_t query, double squared_radius) const {

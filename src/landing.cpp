@@ -3,10 +3,10 @@
 #include "landing.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "corners.hpp"
 #include "crease.hpp"
+#include "nearest_beside.hpp"
 #include "parallel.hpp"
 #include "sheet_blend.hpp"
 #include "surer_sheet.hpp"
@@ -43,16 +43,16 @@ class Lander {
 
   /// Buffers of one thread.
   struct Scratch {
+    NearestBeside nearest;
     std::vector<Found> near;
     std::vector<double> variances;
-    double hint = std::numeric_limits<double>::infinity();  ///< of searches
   };
 
   /// Where point i comes to lie from where it was taken to lie so far.
   Landing land(std::size_t i, const Vec3& place, const Vec3& normal, Scratch& scratch) const {
     const Vec3& point = input_.points[i];
     auto& near = scratch.near;
-    levels_.tree(0).nearest_beside(place, blended, scratch.hint, near);
+    scratch.nearest.find(levels_.tree(0), place, blended, near);
     std::uint32_t own = levels_.nodes(0).of[i];
     if (input_.parts.surer_sheet) {
       own = surer_sheet(point, own, near, sheets_, input_.noise, scratch.variances);

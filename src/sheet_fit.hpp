@@ -10,6 +10,7 @@
 
 #include "automatic_parts.hpp"
 #include "kd_tree.hpp"
+#include "nearest_beside.hpp"
 #include "node_levels.hpp"
 #include "sheet.hpp"
 #include "sheet_samples.hpp"
@@ -44,13 +45,11 @@ class SheetFitter {
   SheetFitter(const NodeLevels& levels, double noise, const AutomaticParts& parts = {})
       : levels_(levels), noise_(noise), parts_(parts) {}
 
-  static constexpr double infinite = std::numeric_limits<double>::infinity();
-
   /// Buffers of one thread.
   struct Scratch {
     std::vector<Found> found;
     SheetSamples samples;
-    std::array<double, node_levels> hints{infinite, infinite, infinite};  ///< of searches
+    std::array<NearestBeside, node_levels> nearest;
   };
 
   /// Fits node i at every scale and tells how each fares.
