@@ -87,6 +87,7 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
     parallel_blocks(sheets.size(), part("fits", 0.42, 0.6),
                     [&](std::size_t begin, std::size_t end) {
                       SheetFitter::Scratch scratch;
+                      surveyor.expect(begin, end, scratch);
                       for (std::size_t i = begin; i < end; ++i) {
                         const auto node = static_cast<std::uint32_t>(i);
                         if (i % survey_step != 0) {
@@ -121,6 +122,7 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
     parallel_blocks(sheets.size(), part("fits", 0.72, 0.9),
                     [&](std::size_t begin, std::size_t end) {
                       SheetFitter::Scratch scratch;
+                      fitter.expect(begin, end, scratch);
                       for (std::size_t i = begin; i < end; ++i) {
                         if (i % step != 0 && choices[i].scale >= wide_scale) continue;
                         sheets[i] = fitter.fit(static_cast<std::uint32_t>(i), scratch, choices[i]);

@@ -112,6 +112,7 @@ Shares land(const AutomaticInput& input, const NodeLevels& levels, std::span<con
   const Lander lander(input, levels, sheets);
   parallel_blocks(count, execution, [&](std::size_t begin, std::size_t end) {
     Lander::Scratch scratch;
+    scratch.nearest.expect(Points(result.points).subspan(begin, end - begin));
     Block& block = blocks[begin / block_size];
     for (std::size_t i = begin; i < end; ++i) {
       const auto point = static_cast<std::uint32_t>(i);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "box.hpp"
 #include "lane_sort.hpp"
 #include "lanes.hpp"
 
@@ -17,11 +18,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Radius of a ball in distances to the last point that is found: a larger one serves more
 /// searches, and each of them has more points to look through.
-constexpr double ball = 1.6;
+constexpr double ball = 1.75;
+constexpr double centered = 0.9;  ///< share of what it is larger that places in it may be apart
 
 /// Searches look at no more points than so many times those wanted: where points are that dense,
 /// many are at one place.
 constexpr std::size_t most_per_wanted = 12;
+constexpr std::size_t most_at_least = 400;
 constexpr std::size_t tries_apart = 32;  ///< searches until the next try to gather a ball then
 
 /// The last bits of a key tell the place of the point.
@@ -77,6 +80,9 @@ std::size_t count_up_to(const double* values, std::size_t size, double limit) {
 
 std::uint64_t bits(double key) { return std::bit_cast<std::uint64_t>(key); }
 
+/// Whether two keys do not tell which square is smaller.
+bool alike(double a, double b) { return (bits(a) ^ bits(b)) <= slot_mask; }
+
 }  // namespace
 
 void NearestBeside::find(const KdTree& tree, const Vec3& at, std::size_t count,
@@ -114,18 +120,34 @@ bool NearestBeside::find_in_ball(const KdTree& tree, const Vec3& at, std::size_t
   return true;
 }
 
+/// Puts the center amid the places that come next, as many as the ball can serve.
+void NearestBeside::center_ball(const Vec3& at) {
+  center_ = at;
+  const auto here = std::ranges::find(expected_, at);
+  if (here == expected_.end()) return;
+  expected_ = expected_.subspan(static_cast<std::size_t>(here - expected_.begin()));
+  const double reach = (ball - 1) * centered * std::sqrt(square_);
+  Box box;
+  for (const Vec3& place : expected_) {
+    box.add(place);
+    if (!(squared_norm(half_extent(box)) <= reach * reach)) break;
+    center_ = middle(box);
+  }
+}
+
 /// Fills the columns with the points around a place; false where they are too many.
 bool NearestBeside::gather(const KdTree& tree, const Vec3& at, std::size_t count) {
   if (patience_ > 0) {
     --patience_;
     return false;
   }
-  center_ = at;
   radius_ = ball * std::sqrt(square_);
-  tree.runs_within(at, radius_ * radius_, runs_);
+  center_ball(at);
+  tree.runs_within(center_, radius_ * radius_, runs_);
   size_ = 0;
   for (const KdTree::Run& run : runs_) size_ += run.end - run.begin;
-  if (size_ > std::min(most_per_wanted * count, slot_mask + 1 - lane_count)) {
+  if (size_ >
+      std::min(std::max(most_per_wanted * count, most_at_least), slot_mask + 1 - lane_count)) {
     radius_ = -1;
     patience_ = tries_apart;
     return false;
@@ -136,19 +158,20 @@ bool NearestBeside::gather(const KdTree& tree, const Vec3& at, std::size_t count
   }
   if (near_.size() < room + lane_sort_sizes.back()) near_.resize(2 * room + lane_sort_sizes.back());
   if (index_.size() < room) index_.resize(2 * room);
-  std::size_t to = 0;
   const Points points = tree.along_leaves();
+  const double square = radius_ * radius_;
+  size_ = 0;
   for (const KdTree::Run& run : runs_) {
-    std::copy(tree.order().begin() + run.begin, tree.order().begin() + run.end,
-              index_.begin() + static_cast<std::ptrdiff_t>(to));
-    for (std::uint32_t i = run.begin; i < run.end; ++i, ++to) {
+    for (std::uint32_t i = run.begin; i < run.end; ++i) {
       const Vec3& p = points[i];
-      x_[to] = p.x;
-      y_[to] = p.y;
-      z_[to] = p.z;
+      x_[size_] = p.x;  // written over by the next one if too far
+      y_[size_] = p.y;
+      z_[size_] = p.z;
+      index_[size_] = tree.order()[i];
+      size_ += squared_norm(p - center_) <= square ? 1U : 0U;
     }
   }
-  for (; to < room; ++to) x_[to] = y_[to] = z_[to] = infinity;
+  for (std::size_t k = size_; k % lane_count != 0; ++k) x_[k] = infinity;
   return true;
 }
 
@@ -189,28 +212,27 @@ bool NearestBeside::select(const Vec3& at, std::size_t count, double safe) {
 
 /// Writes the `count` nearest of near_ in order.
 void NearestBeside::sort(std::size_t count, std::vector<Found>& found) {
+  const auto near = near_.begin();
   const auto* const fits = std::ranges::lower_bound(lane_sort_sizes, near_count_);
-  std::size_t size = near_count_;
   if (fits != lane_sort_sizes.end()) {
-    size = *fits;
-    std::fill(near_.begin() + static_cast<std::ptrdiff_t>(near_count_),
-              near_.begin() + static_cast<std::ptrdiff_t>(size), infinity);
-    sort_in_lanes(near_.data(), size);
+    std::fill(near + static_cast<std::ptrdiff_t>(near_count_),
+              near + static_cast<std::ptrdiff_t>(*fits), infinity);
+    sort_in_lanes(near_.data(), *fits);
+  } else {
+    std::sort(near, near + static_cast<std::ptrdiff_t>(near_count_));
   }
-  const bool in_lanes = fits != lane_sort_sizes.end();
-  if (!in_lanes) std::sort(near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(size));
-  const auto key = [&](std::size_t k) { return near_[in_lanes ? lane_sorted(k, size) : k]; };
   // Squares that differ in their last bits alone, or not at all, are not in order yet; those like
   // the last that is wanted may have to take its place.
-  const std::uint64_t last = bits(key(count - 1)) | slot_mask;
   std::size_t all = count;
-  while (all < near_count_ && bits(key(all)) <= last) ++all;
+  while (all < near_count_ && alike(near_[all], near_[count - 1])) ++all;
   found.resize(all);
   for (std::size_t k = 0; k < all; ++k) {
-    const std::size_t slot = bits(key(k)) & slot_mask;
+    const std::size_t slot = bits(near_[k]) & slot_mask;
     const Found f{squares_[slot], index_[slot]};
     std::size_t to = k;
-    for (; to > 0 && f < found[to - 1]; --to) found[to] = found[to - 1];
+    if (k > 0 && alike(near_[k], near_[k - 1])) {
+      for (; to > 0 && f < found[to - 1]; --to) found[to] = found[to - 1];
+    }
     found[to] = f;
   }
   found.resize(count);

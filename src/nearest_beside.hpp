@@ -20,6 +20,11 @@ namespace deburr {
 /// distance up to which points are sorted, follow from the search before.
 class NearestBeside {
  public:
+  /// Tells around which places searches will be, in their order; some may be left out. Balls lie
+  /// around many of them then. Does not change what is found. A place must not change before
+  /// its search.
+  void expect(Points places) { expected_ = places; }
+
   /// The `count` points nearest to a finite place, appended to the cleared `found` in ascending
   /// order; point `excluded`, if there is such a point, is left out.
   /// @param tree  the same each time
@@ -30,6 +35,7 @@ class NearestBeside {
   [[nodiscard]] bool find_in_ball(const KdTree& tree, const Vec3& at, std::size_t count,
                                   std::vector<Found>& found, std::uint32_t excluded);
   [[nodiscard]] bool gather(const KdTree& tree, const Vec3& at, std::size_t count);
+  void center_ball(const Vec3& at);
   [[nodiscard]] double safe_square(const Vec3& at) const;
   [[nodiscard]] bool select(const Vec3& at, std::size_t count, double safe);
   void sort(std::size_t count, std::vector<Found>& found);
@@ -41,6 +47,8 @@ class NearestBeside {
   std::vector<double> x_, y_, z_;
   std::vector<std::uint32_t> index_;
   std::vector<KdTree::Run> runs_;
+
+  Points expected_;  ///< what is left of them
 
   // Of the search before.
   std::size_t count_ = 0;

@@ -95,6 +95,7 @@ std::vector<ScaleChoice> choose_scales(const KdTree& tree, std::span<const Sheet
   std::vector<ScaleChoice> choices(places.size());
   parallel_blocks(places.size(), execution, [&](std::size_t begin, std::size_t end) {
     NearestBeside nearest;
+    nearest.expect(places.subspan(begin, end - begin));
     std::vector<Found> found;
     for (std::size_t i = begin; i < end; ++i) {
       nearest.find(tree, places[i], pooled, found);

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -51,6 +50,11 @@ class SheetFitter {
     SheetSamples samples;
     std::array<NearestBeside, node_levels> nearest;
   };
+
+  /// Tells that nodes in [begin, end) will be fitted; they are sooner found then.
+  void expect(std::size_t begin, std::size_t end, Scratch& scratch) const {
+    scratch.nearest[0].expect(Points(levels_.nodes(0).places).subspan(begin, end - begin));
+  }
 
   /// Fits node i at every scale and tells how each fares.
   [[nodiscard]] Sheet survey(std::uint32_t i, Scratch& scratch, ScaleCurve& curve) const;
