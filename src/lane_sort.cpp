@@ -158,10 +158,10 @@ class Rows {
 };
 
 #ifdef DEBURR_TARGETS
-[[gnu::target("avx512f")]] void sort_rows(double* values, std::size_t rows) {
+[[maybe_unused, gnu::target("avx512f")]] void sort_rows(double* values, std::size_t rows) {
   Rows<8>(values, rows).sort();
 }
-[[gnu::target("avx2")]] void sort_rows(double* values, std::size_t rows) {
+[[maybe_unused, gnu::target("avx2")]] void sort_rows(double* values, std::size_t rows) {
   Rows<4>(values, rows).sort();
 }
 [[gnu::target("default")]]

@@ -139,7 +139,7 @@ TEST(NearestBeside, FewerPointsThanWanted) {
 
 TEST(NearestBeside, AnyPlaceAndUnit) {
   const std::vector<Vec3> points = along_a_curve(random_directions(800, 10));
-  for (const double scale : {1e-170, 1e-155, 1e-100, 1e100, 1e155, 1e-6, 1e6}) {
+  for (const double scale : {1e-170, 3e-162, 1e-161, 1e-160, 1e-155, 1e-6, 1e6, 1e100, 1e155}) {
     std::vector<Vec3> scaled = points;
     for (Vec3& p : scaled) p = scale * p;
     expect_exact(scaled, first(scaled, 60), 100, each_itself(60));
