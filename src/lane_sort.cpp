@@ -157,11 +157,16 @@ class Rows {
   std::size_t count_;
 };
 
+}  // namespace
+
+/// One of these is taken when the program starts.
+namespace for_each_processor {
+
 #ifdef DEBURR_TARGETS
-[[maybe_unused, gnu::target("avx512f")]] void sort_rows(double* values, std::size_t rows) {
+[[gnu::target("avx512f")]] void sort_rows(double* values, std::size_t rows) {
   Rows<8>(values, rows).sort();
 }
-[[maybe_unused, gnu::target("avx2")]] void sort_rows(double* values, std::size_t rows) {
+[[gnu::target("avx2")]] void sort_rows(double* values, std::size_t rows) {
   Rows<4>(values, rows).sort();
 }
 [[gnu::target("default")]]
@@ -170,11 +175,11 @@ void sort_rows(double* values, std::size_t rows) {
   Rows<2>(values, rows).sort();
 }
 
-}  // namespace
+}  // namespace for_each_processor
 
 void sort_in_lanes(double* values, std::size_t size) {
   const std::size_t rows = size / lane_count;
-  sort_rows(values, rows);
+  for_each_processor::sort_rows(values, rows);
   std::array<double, lane_sort_sizes.back()> sorted;
   for (std::size_t l = 0; l < lane_count; ++l) {
     for (std::size_t row = 0; row < rows; ++row) {
