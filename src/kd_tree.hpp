@@ -30,7 +30,7 @@ class KdTree {
   /// No point has this index, since there are fewer than 2^32.
   static constexpr std::uint32_t no_point = std::numeric_limits<std::uint32_t>::max();
 
-  explicit KdTree(Points points, const Execution& execution = {});
+  explicit KdTree(Points points, const Execution& execution = {.threads = 1});
 
   /// The `count` nearest other points of point `query` no farther than sqrt(squared_radius),
   /// appended to the cleared `found` in ascending order.
@@ -77,7 +77,9 @@ class KdTree {
     std::uint32_t smallest;  ///< smallest index of a point in here
   };
 
-  void build(std::uint32_t begin, std::uint32_t end, const Execution& execution);
+  struct Item;
+  void build(std::uint32_t self, std::uint32_t begin, std::uint32_t end, std::vector<Item>& items,
+             const Execution& execution);
   /// `excluded` is the index of a point that is not to be found.
   void nearest(const Vec3& at, std::uint32_t excluded, std::size_t count, double squared_radius,
                std::vector<Found>& found) const;
