@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 #include "found_sort.hpp"
 #include "parallel.hpp"
@@ -20,28 +20,54 @@ constexpr std::size_t longest_list = 24;
 
 constexpr std::uint32_t any_index = std::numeric_limits<std::uint32_t>::max();
 
+/// Trees with no more points are built by one thread.
+constexpr std::uint32_t built_by_one = 8 * block_size;
+
+/// Numbers of nodes of the trees over n and n + 1 points. Each half of either is one of two sizes.
+std::pair<std::uint32_t, std::uint32_t> nodes_over_both(std::uint32_t n) {
+  if (n < leaf_size) return {1, 1};
+  const auto [half, more] = nodes_over_both(n / 2);
+  const bool odd = n % 2 != 0;
+  return {n == leaf_size ? 1 : 1 + half + (odd ? more : half), 1 + (odd ? more : half) + more};
+}
+std::uint32_t nodes_over(std::uint32_t n) { return nodes_over_both(n).first; }
+
 }  // namespace
+
+/// Sorted by place, since looking each up would take longer than moving it.
+struct KdTree::Item {
+  Vec3 at;
+  std::uint32_t index;
+};
 
 KdTree::KdTree(Points points, const Execution& execution)
     : points_(points), order_(points.size()), sorted_(points.size()) {
-  std::iota(order_.begin(), order_.end(), 0U);
-  if (!points.empty()) {
-    nodes_.reserve(4 * (points.size() / leaf_size + 1));
-    build(0, static_cast<std::uint32_t>(points.size()), execution);
+  if (points.empty()) return;
+  std::vector<Item> items(points.size());
+  for (std::uint32_t i = 0; i < items.size(); ++i) items[i] = {points[i], i};
+  const auto size = static_cast<std::uint32_t>(points.size());
+  nodes_.resize(nodes_over(size));
+  if (size <= built_by_one) {
+    build(0, 0, size, items, execution);
+  } else {
+    with_threads(execution, [&] { build(0, 0, size, items, execution); });
   }
-  for (std::size_t i = 0; i < order_.size(); ++i) sorted_[i] = points_[order_[i]];
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    order_[i] = items[i].index;
+    sorted_[i] = items[i].at;
+  }
 }
 
-void KdTree::build(std::uint32_t begin, std::uint32_t end, const Execution& execution) {
+void KdTree::build(std::uint32_t self, std::uint32_t begin, std::uint32_t end,
+                   std::vector<Item>& items, const Execution& execution) {
   if (end - begin > block_size) check_cancelled(execution);
-  const std::size_t self = nodes_.size();
   Box box;
-  std::uint32_t smallest = order_[begin];
+  std::uint32_t smallest = items[begin].index;
   for (std::uint32_t i = begin; i < end; ++i) {
-    box.add(points_[order_[i]]);
-    smallest = std::min(smallest, order_[i]);
+    box.add(items[i].at);
+    smallest = std::min(smallest, items[i].index);
   }
-  nodes_.push_back({box, begin, end, 0, smallest});
+  nodes_[self] = {box, begin, end, 0, smallest};
   if (end - begin <= leaf_size) return;
 
   // Points at one place are split by index, so that a search among them ends early too.
@@ -51,15 +77,22 @@ void KdTree::build(std::uint32_t begin, std::uint32_t end, const Execution& exec
                              : extent.y == largest ? &Vec3::y
                                                    : &Vec3::z;
   const std::uint32_t middle = begin + (end - begin) / 2;
-  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                   [&](std::uint32_t a, std::uint32_t b) {
-                     const double va = points_[a].*axis;
-                     const double vb = points_[b].*axis;
-                     return va != vb ? va < vb : a < b;
+  std::nth_element(items.begin() + begin, items.begin() + middle, items.begin() + end,
+                   [axis](const Item& a, const Item& b) {
+                     const double va = a.at.*axis;
+                     const double vb = b.at.*axis;
+                     return va != vb ? va < vb : a.index < b.index;
                    });
-  build(begin, middle, execution);
-  nodes_[self].right = static_cast<std::uint32_t>(nodes_.size());
-  build(middle, end, execution);
+  const std::uint32_t right = self + 1 + nodes_over(middle - begin);
+  nodes_[self].right = right;
+  const auto left_half = [&] { build(self + 1, begin, middle, items, execution); };
+  const auto right_half = [&] { build(right, middle, end, items, execution); };
+  if (end - begin > built_by_one) {
+    run_both(left_half, right_half);
+  } else {
+    left_half();
+    right_half();
+  }
 }
 
 /// Visits the points of every box that can hold a point up to `limit`, which visits may lower.
@@ -119,15 +152,6 @@ void KdTree::nearest(const Vec3& at, std::uint32_t excluded, std::size_t count,
   sort.sort(found, std::min(count, found.size()), farthest);
 }
 
-void KdTree::nearest_beside(const Vec3& at, std::size_t count, double& hint,
-                            std::vector<Found>& found, std::uint32_t excluded) const {
-  constexpr double no_limit = std::numeric_limits<double>::infinity();
-  constexpr double margin = 1.4;
-  nearest(at, excluded, count, hint, found);
-  if (found.size() < count && hint < no_limit) nearest(at, excluded, count, no_limit, found);
-  if (found.size() == count && count > 0) hint = margin * found.back().squared_distance;
-}
-
 void KdTree::within(const Vec3& at, std::uint32_t excluded, double squared_radius,
                     std::vector<Found>& found) const {
   found.clear();
@@ -161,6 +185,25 @@ Found KdTree::nearest_to(const Vec3& at) const {
   Found best{std::numeric_limits<double>::infinity(), any_index};
   search(0, at, best, [&](const Found& f) { best = std::min(best, f); });
   return best;
+}
+
+void KdTree::runs_within(const Vec3& at, double squared_radius, std::vector<Run>& runs) const {
+  runs.clear();
+  if (!nodes_.empty()) add_runs(0, at, squared_radius, runs);
+}
+
+void KdTree::add_runs(std::uint32_t node, const Vec3& at, double squared_radius,
+                      std::vector<Run>& runs) const {
+  const Node& n = nodes_[node];
+  if (squared_distance(at, n.box) > squared_radius) return;
+  if (n.right != 0 && squared_distance_to_farthest(at, n.box) > squared_radius) {
+    add_runs(node + 1, at, squared_radius, runs);
+    add_runs(n.right, at, squared_radius, runs);
+  } else if (!runs.empty() && runs.back().end == n.begin) {
+    runs.back().end = n.end;
+  } else {
+    runs.push_back({n.begin, n.end});
+  }
 }
 
 std::size_t KdTree::count_within(std::uint32_t query, double squared_radius) const {

@@ -30,7 +30,7 @@ class KdTree {
   /// No point has this index, since there are fewer than 2^32.
   static constexpr std::uint32_t no_point = std::numeric_limits<std::uint32_t>::max();
 
-  explicit KdTree(Points points, const Execution& execution = {});
+  explicit KdTree(Points points, const Execution& execution = {.threads = 1});
 
   /// The `count` nearest other points of point `query` no farther than sqrt(squared_radius),
   /// appended to the cleared `found` in ascending order.
@@ -45,12 +45,6 @@ class KdTree {
   void nearest_to(const Vec3& at, std::size_t count, double squared_radius,
                   std::vector<Found>& found, std::uint32_t excluded = no_point) const;
 
-  /// As nearest_to() without a radius, for places that follow each other closely: how far one
-  /// search had to go, `hint`, limits the next, which is done again where that was not enough.
-  /// @param hint  infinity at first; does not change what is found
-  void nearest_beside(const Vec3& at, std::size_t count, double& hint, std::vector<Found>& found,
-                      std::uint32_t excluded = no_point) const;
-
   /// The nearest point of a finite place. The tree must hold at least one point.
   [[nodiscard]] Found nearest_to(const Vec3& at) const;
 
@@ -60,8 +54,19 @@ class KdTree {
   /// Number of points that within() finds; does not visit points of boxes wholly inside.
   [[nodiscard]] std::size_t count_within(std::uint32_t query, double squared_radius) const;
 
+  /// A run of points along the leaves: positions in order().
+  struct Run {
+    std::uint32_t begin, end;
+  };
+
+  /// Appends runs to the cleared `runs` that together hold every point no farther than
+  /// sqrt(squared_radius) from a finite place, and others of the same leaves.
+  void runs_within(const Vec3& at, double squared_radius, std::vector<Run>& runs) const;
+
   /// Indices of the points along the leaves: near in this order means near in space.
   [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
+  /// The points in that order.
+  [[nodiscard]] Points along_leaves() const { return sorted_; }
 
  private:
   /// A node owns order_[begin, end); its children, if any, split that at the middle.
@@ -72,12 +77,16 @@ class KdTree {
     std::uint32_t smallest;  ///< smallest index of a point in here
   };
 
-  void build(std::uint32_t begin, std::uint32_t end, const Execution& execution);
+  struct Item;
+  void build(std::uint32_t self, std::uint32_t begin, std::uint32_t end, std::vector<Item>& items,
+             const Execution& execution);
   /// `excluded` is the index of a point that is not to be found.
   void nearest(const Vec3& at, std::uint32_t excluded, std::size_t count, double squared_radius,
                std::vector<Found>& found) const;
   void within(const Vec3& at, std::uint32_t excluded, double squared_radius,
               std::vector<Found>& found) const;
+  void add_runs(std::uint32_t node, const Vec3& at, double squared_radius,
+                std::vector<Run>& runs) const;
   template <typename Visit>
   void search(std::uint32_t node, const Vec3& at, const Found& limit, const Visit& visit) const;
 

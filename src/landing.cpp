@@ -3,11 +3,10 @@
 #include "landing.hpp"
 
 #include <algorithm>
-#include <array>
-#include <limits>
 
 #include "corners.hpp"
 #include "crease.hpp"
+#include "nearest_beside.hpp"
 #include "parallel.hpp"
 #include "sheet_blend.hpp"
 #include "surer_sheet.hpp"
@@ -52,10 +51,9 @@ class Lander {
 
   /// Buffers of one thread.
   struct Scratch {
+    NearestBeside of_even, of_all;
     std::vector<Found> near;
     std::vector<double> variances;
-    /// Of searches among the even choice and among all.
-    std::array<double, 2> hints{infinite, infinite};
   };
 
   /// Where point i comes to lie from where it was taken to lie so far.
@@ -64,9 +62,9 @@ class Lander {
     auto& near = scratch.near;
     const std::uint32_t node = levels_.nodes(0).of[i];
     if (!by_edge_.empty() && by_edge_[node] != 0) {
-      set_.all().nearest_beside(place, edge_sheets, scratch.hints[1], near);
+      scratch.of_all.find(set_.all(), place, edge_sheets, near);
     } else {
-      set_.even().nearest_beside(place, blended_, scratch.hints[0], near);
+      scratch.of_even.find(set_.even(), place, blended_, near);
     }
     std::uint32_t own = set_.of(node);
     if (input_.parts.surer_sheet) {
@@ -84,8 +82,6 @@ class Lander {
   }
 
  private:
-  static constexpr double infinite = std::numeric_limits<double>::infinity();
-
   static Landing on_one_sheet(const Vec3& place, const Vec3& normal) {
     Landing landing{place, normal};
     landing.sheets[0] = {place, normal};
@@ -140,6 +136,8 @@ Shares land(const AutomaticInput& input, const NodeLevels& levels, const NodeShe
   const Lander lander(input, levels, set, around);
   parallel_blocks(count, execution, [&](std::size_t begin, std::size_t end) {
     Lander::Scratch scratch;
+    scratch.of_even.expect(Points(result.points).subspan(begin, end - begin));
+    scratch.of_all.expect(Points(result.points).subspan(begin, end - begin));
     Block& block = blocks[begin / block_size];
     for (std::size_t i = begin; i < end; ++i) {
       const auto point = static_cast<std::uint32_t>(i);

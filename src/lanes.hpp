@@ -20,6 +20,7 @@
 #if defined(__x86_64__) && defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define DEBURR_MULTIVERSION __attribute__((target_clones("avx512f", "avx2", "default")))
+#define DEBURR_TARGETS  // or that are written for each of them, for vectors of its own width
 #else
 #define DEBURR_MULTIVERSION
 #endif

@@ -12,6 +12,7 @@
 #include "cell_grid.hpp"
 #include "deburr/error.hpp"
 #include "kd_tree.hpp"
+#include "nearest_beside.hpp"
 #include "parallel.hpp"
 
 namespace deburr {
@@ -77,9 +78,11 @@ Neighborhoods search_tree(Points points, const NeighborOptions& options,
   const KdTree tree(points, execution);
   const double squared_radius = options.radius > 0 ? options.radius * options.radius
                                                    : std::numeric_limits<double>::infinity();
-  const auto find = [&](std::size_t i, std::vector<Found>& found) {
+  const auto find = [&](std::size_t i, NearestBeside& nearest, std::vector<Found>& found) {
     const auto query = static_cast<std::uint32_t>(i);
-    if (options.max_count > 0) {
+    if (options.max_count > 0 && options.radius == 0) {
+      nearest.find(tree, points[i], options.max_count, found, query);
+    } else if (options.max_count > 0) {
       tree.nearest(query, options.max_count, squared_radius, found);
     } else {
       tree.within(query, squared_radius, found);
@@ -102,10 +105,12 @@ Neighborhoods search_tree(Points points, const NeighborOptions& options,
   std::vector<std::uint32_t> indices(offsets.back());
   parallel_blocks(points.size(), sub_execution(execution, "neighbourhoods", counted, 1),
                   [&](std::size_t begin, std::size_t end) {
+                    NearestBeside nearest;
+                    nearest.expect(tree.along_leaves().subspan(begin, end - begin));
                     std::vector<Found> found;
                     for (std::size_t at = begin; at < end; ++at) {
                       const std::size_t i = order[at];
-                      find(i, found);
+                      find(i, nearest, found);
                       for (std::size_t k = 0; k < found.size(); ++k) {
                         indices[offsets[i] + k] = found[k].index;
                       }

@@ -17,11 +17,12 @@ constexpr double same_face = 0.7;
 
 /// Calls fit(node, scratch) for every node; the valid sheets, in the order of the nodes.
 template <typename Fit>
-NodeSheets fit_each(std::size_t nodes, std::size_t even_step, const Execution& execution,
-                    const Fit& fit) {
+NodeSheets fit_each(const SheetFitter& fitter, std::size_t nodes, std::size_t even_step,
+                    const Execution& execution, const Fit& fit) {
   std::vector<NodeSheets> blocks((nodes + block_size - 1) / block_size);
   parallel_blocks(nodes, execution, [&](std::size_t begin, std::size_t end) {
     SheetFitter::Scratch scratch;
+    fitter.expect(begin, end, scratch);
     NodeSheets& block = blocks[begin / block_size];
     for (std::size_t i = begin; i < end; ++i) {
       const auto node = static_cast<std::uint32_t>(i);
@@ -61,7 +62,7 @@ Survey survey_nodes(const NodeLevels& levels, double noise, std::size_t step,
   small.scale = level_scales - 1;
   small.noise = noise;
   small.curvature.fill(-1);
-  survey.sheets = fit_each(nodes.size(), step, execution,
+  survey.sheets = fit_each(fitter, nodes.size(), step, execution,
                            [&](std::uint32_t i, SheetFitter::Scratch& scratch) -> Sheet {
                              if (i % step != 0) return {};
                              if (i % all_scales != 0) return fitter.fit(i, scratch, small);
@@ -87,7 +88,7 @@ NodeSheets fit_nodes(const NodeLevels& first, const Survey& survey, const NodeLe
       choose_scales(KdTree(survey.places, execution), survey.fits, survey.curves, places, normals,
                     noise, first, sub_execution(execution, "fits", 0, 0.2), parts);
   const SheetFitter fitter(second, noise, parts);
-  return fit_each(nodes.size(), steps.even, sub_execution(execution, "fits", 0.2, 1),
+  return fit_each(fitter, nodes.size(), steps.even, sub_execution(execution, "fits", 0.2, 1),
                   [&](std::uint32_t i, SheetFitter::Scratch& scratch) -> Sheet {
                     const std::size_t even = i / steps.even;
                     const bool chosen = i % steps.even == 0;

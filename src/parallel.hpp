@@ -5,6 +5,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 
@@ -63,6 +64,12 @@ void with_threads(const Execution& execution, const Work& work) {
                                   std::max(threads, tbb::global_control::active_value(limit)));
   tbb::task_arena arena(static_cast<int>(threads));
   arena.execute(work);
+}
+
+/// Does both, maybe at once. Within with_threads().
+template <typename First, typename Second>
+void run_both(const First& first, const Second& second) {
+  tbb::parallel_invoke(first, second);
 }
 
 /// Sorts values that are all different, so that the result does not depend on the threads.

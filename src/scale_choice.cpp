@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "nearest_beside.hpp"
 #include "parallel.hpp"
 
 namespace deburr {
@@ -93,9 +94,11 @@ std::vector<ScaleChoice> choose_scales(const KdTree& tree, std::span<const Sheet
   const double by_chance = parts.pool && parts.cloud_misfit ? chance : 0;
   std::vector<ScaleChoice> choices(places.size());
   parallel_blocks(places.size(), execution, [&](std::size_t begin, std::size_t end) {
+    NearestBeside nearest;
+    nearest.expect(places.subspan(begin, end - begin));
     std::vector<Found> found;
     for (std::size_t i = begin; i < end; ++i) {
-      tree.nearest_to(places[i], pooled, std::numeric_limits<double>::infinity(), found);
+      nearest.find(tree, places[i], pooled, found);
       Pool pool;
       for (const Found& f : found) {
         if (dot(sheets[f.index].frame.w, normals[i]) >= same_side) {

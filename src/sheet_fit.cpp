@@ -80,8 +80,7 @@ Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& ch
   const double variance = run.noise * run.noise;
   const double reach = height_reach(run.noise, levels_.spacing());
 
-  levels_.tree(0).nearest_beside(fine.places[i], fine_neighbors, scratch.hints[0], scratch.found,
-                                 i);
+  scratch.nearest[0].find(levels_.tree(0), fine.places[i], fine_neighbors, scratch.found, i);
   gather(run, 0);
   if (scratch.samples.size() < 2) return sheet;
   const double ratio = run.noise / levels_.spacing();
@@ -97,8 +96,8 @@ Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& ch
       // Coarser nodes take over where the finer ones end, wherever that was.
       if (!sheet.valid) break;
       area = sheet.radius * sheet.radius * growth;
-      levels_.tree(level).nearest_beside(sheet.frame.origin, coarse_neighbors, scratch.hints[level],
-                                         scratch.found);
+      scratch.nearest[level].find(levels_.tree(level), sheet.frame.origin, coarse_neighbors,
+                                  scratch.found);
       if (scratch.found.empty() || scratch.found.back().squared_distance < area) break;
       gather(run, level);
     }

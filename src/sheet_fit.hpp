@@ -4,12 +4,12 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include "automatic_parts.hpp"
 #include "kd_tree.hpp"
+#include "nearest_beside.hpp"
 #include "node_levels.hpp"
 #include "sheet.hpp"
 #include "sheet_samples.hpp"
@@ -44,14 +44,17 @@ class SheetFitter {
   SheetFitter(const NodeLevels& levels, double noise, const AutomaticParts& parts = {})
       : levels_(levels), noise_(noise), parts_(parts) {}
 
-  static constexpr double infinite = std::numeric_limits<double>::infinity();
-
   /// Buffers of one thread.
   struct Scratch {
     std::vector<Found> found;
     SheetSamples samples;
-    std::array<double, node_levels> hints{infinite, infinite, infinite};  ///< of searches
+    std::array<NearestBeside, node_levels> nearest;
   };
+
+  /// Tells that nodes in [begin, end) will be fitted; they are sooner found then.
+  void expect(std::size_t begin, std::size_t end, Scratch& scratch) const {
+    scratch.nearest[0].expect(Points(levels_.nodes(0).places).subspan(begin, end - begin));
+  }
 
   /// Fits node i at every scale and tells how each fares.
   [[nodiscard]] Sheet survey(std::uint32_t i, Scratch& scratch, ScaleCurve& curve) const;
