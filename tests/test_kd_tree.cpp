@@ -63,6 +63,43 @@ TEST(KdTree, FindsFromAnyPlaceWhatBruteForceFinds) {
   }
 }
 
+TEST(KdTree, IsTheSameForAnyNumberOfThreads) {
+  const std::vector<Vec3> points = random_points(20000, 4);
+  const KdTree one(points);
+  for (const int threads : {1, 2, 3, 7}) {
+    const KdTree many(points, {.threads = threads});
+    EXPECT_EQ(many.order(), one.order());
+    std::vector<Found> found;
+    for (std::uint32_t i = 17 * static_cast<std::uint32_t>(threads); i < points.size(); i += 400) {
+      many.nearest_to(points[i], 400, infinity, found);
+      expect_same(found, brute_force(points, points[i], 400, infinity));
+    }
+  }
+}
+
+TEST(KdTree, RunsHoldEveryPointWithin) {
+  for (const auto& points : {random_points(700, 5), grid_points(700, 6), random_points(5, 7)}) {
+    const KdTree tree(points);
+    std::vector<KdTree::Run> runs;
+    for (const Vec3& at : places_for(random_points(50, 8))) {
+      tree.runs_within(at, 0.25, runs);
+      std::vector<std::uint32_t> there;
+      for (const auto& [begin, end] : runs) {
+        ASSERT_LT(begin, end);
+        for (std::uint32_t k = begin; k < end; ++k) {
+          EXPECT_EQ(tree.along_leaves()[k], points[tree.order()[k]]);
+          there.push_back(tree.order()[k]);
+        }
+      }
+      std::sort(there.begin(), there.end());
+      EXPECT_EQ(std::unique(there.begin(), there.end()), there.end());
+      for (const Found& f : brute_force(points, at, points.size(), 0.25)) {
+        EXPECT_TRUE(std::binary_search(there.begin(), there.end(), f.index));
+      }
+    }
+  }
+}
+
 TEST(KdTree, FindsNothingInAnEmptyCloud) {
   const KdTree tree(Points{});
   std::vector<Found> found{{1, 1}};
