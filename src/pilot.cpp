@@ -32,8 +32,14 @@ constexpr double fewest_neighbors = 18;
 constexpr double neighbors_per_noise = 40;  ///< for each square of noise over spacing
 constexpr std::size_t graph_neighbors = 24;
 
-/// Side of a cell where points are merged, in standard deviations of the noise.
-constexpr double cell = 1.5;
+/// From this noise on, in spacings, points that no normals are known of are merged: the weights are
+/// wider than a cell then.
+constexpr double merge_noise = 0.55;
+
+bool is_merged(const AutomaticInput& input) {
+  if (is_dense(input)) return true;
+  return input.noise > merge_noise * input.spacing && std::ranges::all_of(input.normals, is_zero);
+}
 
 std::vector<Vec3> first_normals(Points points, Normals given, double ratio,
                                 const Execution& execution) {
@@ -56,9 +62,9 @@ std::vector<Vec3> first_normals(Points points, Normals given, double ratio,
 }  // namespace
 
 Pilot find_pilot(const AutomaticInput& input, const Execution& execution) {
-  const bool merge = is_dense(input);
+  const bool merge = is_merged(input);
   const SurfaceNodes nodes = merge ? merge_into_cells(input.points, input.points, {}, {}, {},
-                                                      cell * input.noise, 1, execution)
+                                                      input.noise + input.spacing, 1, execution)
                                    : nodes_of_points(input.points, input.points, {});
   const double spacing = input.spacing * std::sqrt(static_cast<double>(input.points.size()) /
                                                    static_cast<double>(nodes.size()));

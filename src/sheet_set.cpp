@@ -19,7 +19,8 @@ SheetSet::SheetSet(const NodeSheets& fitted, std::size_t nodes, const Execution&
     : of_(nodes, none),
       places_(places_of(fitted)),
       even_(std::span(places_).first(fitted.even.size()), execution),
-      all_(places_, execution) {
+      // Without further sheets that would be the same tree again.
+      all_(fitted.further.empty() ? Points{} : Points(places_), execution) {
   sheets_.reserve(places_.size());
   const auto add = [&](const std::vector<NodeSheet>& sheets) {
     for (const NodeSheet& s : sheets) {
