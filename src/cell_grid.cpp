@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "box.hpp"
 #include "distance_sort.hpp"
@@ -120,13 +121,15 @@ double CellGrid::squared_occupancy() const {
   return sum;
 }
 
-void CellGrid::set_runs(std::size_t slot, Runs& runs) const {
+void CellGrid::set_runs(const Vec3& at, Runs& runs) const {
+  // Of a place outside the grid, the cell next to it.
   const auto along = [&](double v, const Axis& axis) {
-    return std::min(static_cast<std::uint32_t>((v - axis.low) * per_cell_), axis.cells - 1);
+    return static_cast<std::uint32_t>(
+        std::clamp((v - axis.low) * per_cell_, 0.0, static_cast<double>(axis.cells - 1)));
   };
-  const std::uint32_t cx = along(x_[slot], axes_[0]);
-  const std::uint32_t cy = along(y_[slot], axes_[1]);
-  const std::uint32_t cz = along(z_[slot], axes_[2]);
+  const std::uint32_t cx = along(at.x, axes_[0]);
+  const std::uint32_t cy = along(at.y, axes_[1]);
+  const std::uint32_t cz = along(at.z, axes_[2]);
   const std::uint64_t cell = (std::uint64_t{cz} << 42U) | (std::uint64_t{cy} << 21U) | cx;
   if (cell == runs.cell) return;
   runs.cell = cell;
@@ -210,8 +213,8 @@ std::size_t append_run(const double* x, const double* y, const double* z,
 void CellGrid::count(std::size_t begin, std::size_t end, std::size_t* counts) const {
   Runs runs;
   for (std::size_t slot = begin; slot < end; ++slot) {
-    set_runs(slot, runs);
-    const Vec3 at{x_[slot], y_[slot], z_[slot]};
+    const Vec3 at = place(slot);
+    set_runs(at, runs);
     const double y = (at.y - axes_[1].low) * per_cell_;
     const double z = (at.z - axes_[2].low) * per_cell_;
     std::int64_t near = -1;  // the point itself
@@ -225,26 +228,69 @@ void CellGrid::count(std::size_t begin, std::size_t end, std::size_t* counts) co
   }
 }
 
+/// All within the radius of a place, one of them itself if it is that of a point.
+/// @param space  with room for all candidates and one more
+std::size_t CellGrid::gather(const Vec3& at, const Runs& runs, const Space& space) const {
+  const double y = (at.y - axes_[1].low) * per_cell_;
+  const double z = (at.z - axes_[2].low) * per_cell_;
+  std::size_t size = 0;
+  for (std::size_t r = 0; r < runs.count; ++r) {
+    const Runs::Run& run = runs.runs[r];
+    if (squared_gap(y, z, run.y, run.z) > 1) continue;
+    size = append_run(&x_[run.begin], &y_[run.begin], &z_[run.begin], &index_[run.begin],
+                      run.end - run.begin, at, squared_radius_, space.squared_distances,
+                      space.indices, size);
+  }
+  return size;
+}
+
 void CellGrid::find(std::size_t begin, std::size_t end, std::span<const std::size_t> wanted,
                     std::span<std::uint32_t* const> to) const {
   Runs runs;
   DistanceSort sort(squared_radius_);
   for (std::size_t slot = begin; slot < end; ++slot) {
-    set_runs(slot, runs);
+    const Vec3 at = place(slot);
+    set_runs(at, runs);
     sort.reserve(runs.candidates + 1);
-    const Vec3 at{x_[slot], y_[slot], z_[slot]};
-    const double y = (at.y - axes_[1].low) * per_cell_;
-    const double z = (at.z - axes_[2].low) * per_cell_;
-    std::size_t size = 0;
-    for (std::size_t r = 0; r < runs.count; ++r) {
-      const Runs::Run& run = runs.runs[r];
-      if (squared_gap(y, z, run.y, run.z) > 1) continue;
-      size = append_run(&x_[run.begin], &y_[run.begin], &z_[run.begin], &index_[run.begin],
-                        run.end - run.begin, at, squared_radius_, sort.squared_distances(),
-                        sort.indices(), size);
-    }
+    const std::size_t size = gather(at, runs, {sort.squared_distances(), sort.indices()});
     sort.write(size, index_[slot], wanted[slot - begin], to[slot - begin]);
   }
+}
+
+void CellGrid::nearest(std::size_t begin, std::size_t end, std::size_t count, Found* to) const {
+  constexpr Found none{std::numeric_limits<double>::infinity(),
+                       std::numeric_limits<std::uint32_t>::max()};
+  Runs runs;
+  DistanceSort space(squared_radius_);
+  for (std::size_t slot = begin; slot < end; ++slot) {
+    const Vec3 at = place(slot);
+    set_runs(at, runs);
+    space.reserve(runs.candidates + 1);
+    const std::size_t size = gather(at, runs, {space.squared_distances(), space.indices()});
+    Found* const best = to + (slot - begin) * count;
+    std::fill(best, best + count, none);
+    for (std::size_t k = 0; k < size; ++k) {
+      const Found f{space.squared_distances()[k], space.indices()[k]};
+      if (f.index == index_[slot] || !(f < best[count - 1])) continue;
+      std::size_t rank = count - 1;
+      for (; rank > 0 && f < best[rank - 1]; --rank) best[rank] = best[rank - 1];
+      best[rank] = f;
+    }
+  }
+}
+
+void CellGrid::within_of(const Vec3& at, std::vector<Found>& found) const {
+  thread_local std::vector<double> squared_distances;
+  thread_local std::vector<std::uint32_t> indices;
+  Runs runs;
+  set_runs(at, runs);
+  if (indices.size() <= runs.candidates) {
+    squared_distances.resize(2 * runs.candidates + 1);
+    indices.resize(2 * runs.candidates + 1);
+  }
+  const std::size_t size = gather(at, runs, {squared_distances.data(), indices.data()});
+  found.clear();
+  for (std::size_t k = 0; k < size; ++k) found.push_back({squared_distances[k], indices[k]});
 }
 
 }  // namespace deburr

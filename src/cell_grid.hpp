@@ -11,6 +11,7 @@
 
 #include "deburr/execution.hpp"
 #include "deburr/vec3.hpp"
+#include "kd_tree.hpp"
 
 namespace deburr {
 
@@ -40,17 +41,33 @@ class CellGrid {
   void find(std::size_t begin, std::size_t end, std::span<const std::size_t> wanted,
             std::span<std::uint32_t* const> to) const;
 
+  /// For few: writes for each slot in [begin, end) the `count` nearest other points to
+  /// `to[(slot - begin) * count]`, sorted by (distance, index). Where there are fewer within the
+  /// radius, the rest is infinitely far.
+  void nearest(std::size_t begin, std::size_t end, std::size_t count, Found* to) const;
+
+  /// The points within the radius of a finite place, in an order that follows from it, put into the
+  /// cleared `found`.
+  void within_of(const Vec3& at, std::vector<Found>& found) const;
+
  private:
   struct Axis {
     double low = 0;
     std::uint32_t cells = 1;
   };
   struct Runs;
+  /// What a search has found: the first of the entries, with room for more.
+  struct Space {
+    double* squared_distances;
+    std::uint32_t* indices;
+  };
 
   CellGrid() = default;
   void sort_points(Points points, const Execution& execution);
   [[nodiscard]] double squared_occupancy() const;  ///< pairs of points of one cell
-  void set_runs(std::size_t slot, Runs& runs) const;
+  [[nodiscard]] Vec3 place(std::size_t slot) const { return {x_[slot], y_[slot], z_[slot]}; }
+  void set_runs(const Vec3& at, Runs& runs) const;
+  [[nodiscard]] std::size_t gather(const Vec3& at, const Runs& runs, const Space& space) const;
 
   double squared_radius_ = 0;
   double per_cell_ = 0;  ///< 1 / width of a cell

@@ -3,6 +3,9 @@
 #include "noise_survey.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 #include "noise_sheets.hpp"
 #include "noise_tails.hpp"
@@ -30,9 +33,10 @@ WorkingSet distinct_points(Points points, const Execution& execution) {
 }  // namespace
 
 NoiseSurvey::NoiseSurvey(Points points, const Execution& execution)
-    : set_(distinct_points(points, sub_execution(execution, "noise", 0, 0.3))),
-      tree_(set_.points, execution),
-      patches_(set_.points, tree_) {}
+    : NoiseSurvey(distinct_points(points, sub_execution(execution, "noise", 0, 0.3)), execution) {}
+
+NoiseSurvey::NoiseSurvey(WorkingSet set, const Execution& execution)
+    : set_(std::move(set)), tree_(set_.points, execution), patches_(set_.points, tree_) {}
 
 bool NoiseSurvey::has_enough_points() const { return set_.points.size() >= fewest_points; }
 
@@ -73,6 +77,20 @@ NoiseEstimate NoiseSurvey::overall(const Execution& execution) {
   }
   if (execution.progress) execution.progress({"noise", 1});
   return {best.sigma, best.spacing, best.reach, close.found ? close.gap : 0};
+}
+
+double NoiseSurvey::neighbor_distance(std::size_t k, const Execution& execution) const {
+  const std::vector<Vec3>& places = patches_.sample();
+  const std::size_t others = std::min(k, set_.points.size() - std::min<std::size_t>(1, set_.points.size()));
+  if (others == 0) return 0;
+  const double sum = parallel_sum(places.size(), execution, [&](std::size_t i) {
+    thread_local std::vector<Found> found;
+    tree_.nearest_to(places[i], others + 1, std::numeric_limits<double>::infinity(), found);
+    double distances = 0;  // that of the point itself is 0
+    for (const Found& f : found) distances += std::sqrt(f.squared_distance);
+    return distances;
+  });
+  return sum / static_cast<double>(places.size() * others);
 }
 
 std::vector<Vec3> NoiseSurvey::some_places(std::size_t number) const {

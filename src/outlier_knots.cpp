@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 
 #include "parallel.hpp"
 
@@ -25,6 +27,9 @@ constexpr double most = 48;
 
 /// Noise in spacings, roughly, that fewer knots suffice for.
 constexpr double little_noise = 0.14;
+
+/// Radius of the grid over what most patches need.
+constexpr double grid_margin = 1.25;
 
 /// A thinner copy than this says nothing.
 constexpr std::size_t fewest_thinned = 1000;
@@ -83,10 +88,15 @@ Knots::Knots(Points points, const KdTree& tree, const Execution& execution)
   const double points_wanted = ratio * ratio * static_cast<double>(trial_knots) * per_knot();
   std::size_t group = 1;
   while (points_wanted > most * static_cast<double>(group)) group *= 2;
+  const double in_trial = static_cast<double>(trial_knots) * per_knot();
   if (group != group_) thin(group);
   const double little = wanted_radius * little_noise;
   const double least = points_wanted < 3.14 * little * little ? fewest_exact : fewest;
   count_ = static_cast<std::size_t>(std::clamp(points_wanted / per_knot(), least, most));
+  const double usual =
+      trial.radius * std::sqrt(static_cast<double>(count_ + 1) * per_knot() / in_trial);
+  grid_ = CellGrid::make(group_ == 1 ? points_ : Points(thinned_), grid_margin * usual, count_,
+                         quiet);
 }
 
 /// Keeps of each group of points the one nearest to their mean.
@@ -104,20 +114,35 @@ void Knots::thin(std::size_t group) {
   thinned_tree_ = std::make_unique<KdTree>(thinned_);
 }
 
+/// The nearest knots to a place, in no particular order that is yet always the same.
+void Knots::find_near(const Vec3& at, std::size_t count, std::vector<Found>& found) const {
+  if (grid_) {
+    grid_->within_of(at, found);
+    if (found.size() >= count) {
+      const auto last = found.begin() + static_cast<std::ptrdiff_t>(count) - 1;
+      std::nth_element(found.begin(), last, found.end());
+      found.resize(count);
+      return;
+    }
+  }
+  const KdTree& tree = group_ == 1 ? tree_ : *thinned_tree_;
+  tree.nearest_to(at, count, std::numeric_limits<double>::infinity(), found);
+}
+
 Patch Knots::patch_at(const Vec3& at, std::uint32_t but, std::vector<Vec3>& near) const {
   thread_local std::vector<Found> found;
-  near.clear();
-  if (group_ == 1) {
-    tree_.nearest_to(at, count_, std::numeric_limits<double>::infinity(), found, but);
-    for (const Found& f : found) near.push_back(points_[f.index]);
+  const Points knots = group_ == 1 ? points_ : Points(thinned_);
+  if (but == no_point) {
+    find_near(at, count_, found);
   } else {
-    thinned_tree_->nearest_to(at, count_ + 1, std::numeric_limits<double>::infinity(), found);
-    for (const Found& f : found) {
-      if (but != no_point && thinned_[f.index] == points_[but]) continue;
-      near.push_back(thinned_[f.index]);
-    }
-    if (near.size() > count_) near.pop_back();
+    find_near(at, count_ + 1, found);
+    auto out = std::ranges::find_if(
+        found, [&](const Found& f) { return knots[f.index] == points_[but]; });
+    if (out == found.end() && found.size() > count_) out = std::ranges::max_element(found, std::less{});
+    if (out != found.end()) found.erase(out);
   }
+  near.clear();
+  for (const Found& f : found) near.push_back(knots[f.index]);
   return fit_patch(near, at);
 }
 

@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "cell_grid.hpp"
 #include "deburr/execution.hpp"
 #include "deburr/vec3.hpp"
 #include "kd_tree.hpp"
@@ -28,7 +30,7 @@ class Knots {
   Knots(Points points, const KdTree& tree, const Execution& execution);
 
   /// The patch of the knots nearest to a place; point `but` is not among them.
-  /// @param[out] near  those knots, nearest first
+  /// @param[out] near  those knots
   [[nodiscard]] Patch patch_at(const Vec3& at, std::uint32_t but, std::vector<Vec3>& near) const;
 
   /// Points that one knot stands for, at most.
@@ -42,6 +44,7 @@ class Knots {
     double radius = 0;
   };
   [[nodiscard]] Trial try_out(const Execution& execution) const;
+  void find_near(const Vec3& at, std::size_t count, std::vector<Found>& found) const;
   void thin(std::size_t group);
 
   Points points_;
@@ -50,6 +53,7 @@ class Knots {
   std::size_t count_ = 0;
   std::vector<Vec3> thinned_;  ///< empty for a group of 1
   std::unique_ptr<KdTree> thinned_tree_;
+  std::optional<CellGrid> grid_;  ///< of the knots, where most searches need it only
 };
 
 /// Begins of the ranges that halving [0, n) gives until none is larger than `most`: those of the

@@ -3,6 +3,7 @@
 #include "deburr/outliers.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "kd_tree.hpp"
 #include "outlier_graph.hpp"
@@ -39,8 +40,11 @@ std::vector<double> scores(Points points, const Execution& execution) {
   std::vector<double> scores(points.size());
   if (support.size() < fewest_points) return scores;
 
-  // A tree of its own: the boxes of the other are stretched by what is off the surface.
-  const KdTree support_tree(support, execution);
+  // A tree of its own, if they differ: the boxes of the other are stretched by what is off the
+  // surface.
+  std::optional<KdTree> own;
+  if (support.size() < points.size()) own.emplace(support, execution);
+  const KdTree& support_tree = own ? *own : tree;
   const RoughSurface surface(support, support_tree, sub_execution(execution, "outliers", 0.5, 0.8));
   parallel_for(points.size(), sub_execution(execution, "outliers", 0.8, 1), [&](std::size_t i) {
     if (standing[i] == Standing::Patch) return;
