@@ -36,22 +36,6 @@ constexpr std::size_t fewest_thinned = 1000;
 
 }  // namespace
 
-std::vector<std::uint32_t> halves(std::size_t n, std::size_t most_in_one) {
-  std::vector<std::uint32_t> begins;
-  const auto split = [&](const auto& self, std::size_t begin, std::size_t end) -> void {
-    if (end - begin <= most_in_one) {
-      begins.push_back(static_cast<std::uint32_t>(begin));
-      return;
-    }
-    const std::size_t middle = begin + (end - begin) / 2;
-    self(self, begin, middle);
-    self(self, middle, end);
-  };
-  split(split, 0, n);
-  begins.push_back(static_cast<std::uint32_t>(n));
-  return begins;
-}
-
 std::uint32_t middle_point(Points points, std::span<const std::uint32_t> ids) {
   const Vec3& origin = points[ids[0]];
   Vec3 sum;
@@ -69,8 +53,8 @@ double spread(std::span<double> distances) {
   return *at / 1.2816;
 }
 
-Knots::Knots(Points points, const KdTree& tree, const Execution& execution)
-    : points_(points), tree_(tree), count_(trial_knots) {
+Knots::Knots(const SomePoints& points, const Execution& execution)
+    : some_(points), points_(points.points()), count_(trial_knots) {
   // How many trials it takes is not known, so that they tell no progress.
   Execution quiet = execution;
   quiet.progress = nullptr;
@@ -105,8 +89,8 @@ void Knots::thin(std::size_t group) {
   thinned_.clear();
   thinned_tree_.reset();
   if (group == 1) return;
-  const std::span<const std::uint32_t> order = tree_.order();
-  const std::vector<std::uint32_t> begins = halves(order.size(), group);
+  const std::span<const std::uint32_t> order = some_.order();
+  const std::vector<std::uint32_t> begins = some_.groups(group);
   for (std::size_t g = 0; g + 1 < begins.size(); ++g) {
     const auto members = order.subspan(begins[g], begins[g + 1] - begins[g]);
     thinned_.push_back(points_[middle_point(points_, members)]);
@@ -125,8 +109,8 @@ void Knots::find_near(const Vec3& at, std::size_t count, std::vector<Found>& fou
       return;
     }
   }
-  const KdTree& tree = group_ == 1 ? tree_ : *thinned_tree_;
-  tree.nearest_to(at, count, std::numeric_limits<double>::infinity(), found);
+  if (group_ == 1) return some_.nearest_to(at, count, found);
+  thinned_tree_->nearest_to(at, count, std::numeric_limits<double>::infinity(), found);
 }
 
 Patch Knots::patch_at(const Vec3& at, std::uint32_t but, std::vector<Vec3>& near) const {
@@ -147,22 +131,24 @@ Patch Knots::patch_at(const Vec3& at, std::uint32_t but, std::vector<Vec3>& near
 }
 
 Knots::Trial Knots::try_out(const Execution& execution) const {
-  const std::span<const std::uint32_t> order = tree_.order();
+  const std::span<const std::uint32_t> order = some_.order();
   const std::vector<std::uint32_t> begins =
-      halves(order.size(), std::max(order.size() / trial_places, 3 * place_points));
+      some_.groups(std::max(order.size() / trial_places, 3 * place_points));
   const std::size_t places = begins.size() - 1;
   std::vector<double> radii(places);
   std::vector<double> distances(place_points * places);
   parallel_for(places, execution, [&](std::size_t s) {
     // The first points of a range are of one leaf, and near to each other.
-    const auto first = order.subspan(begins[s], place_points);
+    const auto first = order.subspan(
+        begins[s], std::min<std::size_t>(place_points, begins[s + 1] - begins[s]));
     const Vec3& middle = points_[middle_point(points_, first)];
     thread_local std::vector<Vec3> near;
     const Patch rough = patch_at(middle, no_point, near);
     const Patch patch = patch_at(foot_on(rough, middle).at, no_point, near);
     radii[s] = patch.radius;
     for (std::size_t k = 0; k < place_points; ++k) {
-      distances[place_points * s + k] = foot_on(patch, points_[first[k]]).distance;
+      const Vec3& point = points_[first[k % first.size()]];
+      distances[place_points * s + k] = foot_on(patch, point).distance;
     }
   });
   Trial trial;

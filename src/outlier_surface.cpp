@@ -15,11 +15,14 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Knots in a cell, at most.
-constexpr std::size_t cell_knots = 10;
+constexpr std::size_t cell_knots = 16;
 
-/// Cells around one whose noise has a say in its. With fewer, chance in it alone gives the scores a
-/// long tail.
-constexpr std::size_t cells_around = 24;
+/// Cells around a place whose noise has a say in that there. With fewer, chance in it alone gives
+/// the scores a long tail.
+constexpr std::size_t cells_around = 25;
+
+/// Cells next to each other that share it, at most.
+constexpr std::size_t cells_together = 4;
 
 /// Least noise, in radii of a patch: patches follow edges no better than that.
 constexpr double least_noise = 0.08;
@@ -51,15 +54,15 @@ bool is_past_the_end(const Patch& patch, const Vec3& foot, std::span<const Vec3>
 
 }  // namespace
 
-RoughSurface::RoughSurface(Points points, const KdTree& tree, const Execution& execution)
-    : points_(points), tree_(tree), knots_(points, tree, execution) {
+RoughSurface::RoughSurface(const SomePoints& points, const Execution& execution)
+    : some_(points), points_(points.points()), knots_(points, execution) {
   fit_cells(sub_execution(execution, "", 0, 0.9));
   smooth_noise(sub_execution(execution, "", 0.9, 1));
 }
 
 void RoughSurface::fit_cells(const Execution& execution) {
-  const std::span<const std::uint32_t> order = tree_.order();
-  const std::vector<std::uint32_t> begins = halves(order.size(), cell_knots * knots_.group());
+  const std::span<const std::uint32_t> order = some_.order();
+  const std::vector<std::uint32_t> begins = some_.groups(cell_knots * knots_.group());
   cells_.resize(begins.size() - 1);
   centers_.resize(cells_.size());
   cell_.resize(points_.size());
@@ -83,30 +86,34 @@ void RoughSurface::fit_cells(const Execution& execution) {
 
 /// The median over each cell and those around it, which a few odd cells do not sway.
 void RoughSurface::smooth_noise(const Execution& execution) {
-  std::vector<double> smooth(cells_.size());
-  parallel_for(cells_.size(), execution, [&](std::size_t c) {
+  const std::vector<std::uint32_t> begins = halves(cells_.size(), cells_together);
+  std::vector<double> smooth(begins.size() - 1);
+  parallel_for(smooth.size(), execution, [&](std::size_t g) {
     thread_local std::vector<Found> found;
     thread_local std::vector<double> near;
-    center_tree_->nearest(static_cast<std::uint32_t>(c), cells_around, infinity, found);
-    near.assign(1, cells_[c].noise);
+    center_tree_->nearest_to(centers_[begins[g]], cells_around, infinity, found);
+    near.clear();
     for (const Found& f : found) near.push_back(cells_[f.index].noise);
     const auto half = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
     std::nth_element(near.begin(), half, near.end());
-    smooth[c] = *half;
+    smooth[g] = *half;
   });
-  for (std::size_t c = 0; c < cells_.size(); ++c) cells_[c].noise = smooth[c];
+  for (std::size_t g = 0; g < smooth.size(); ++g) {
+    for (std::uint32_t c = begins[g]; c < begins[g + 1]; ++c) cells_[c].noise = smooth[g];
+  }
 }
 
 double RoughSurface::rough_score(std::uint32_t point) const {
   const Cell& cell = cells_[cell_[point]];
   const Foot foot = foot_on(cell.patch, points_[point]);
   if (foot.aside > cell.patch.radius) return infinity;
-  return foot.distance / std::max(cell.noise, least_noise * cell.patch.radius);
+  return foot.distance / std::max({cell.noise, least_noise * cell.patch.radius, cell.patch.spread});
 }
 
 double RoughSurface::fine_score(const Vec3& at, std::uint32_t self) const {
   thread_local std::vector<Found> found;
   thread_local std::vector<Vec3> near;
+  // Not always its own cell, whose patch may be far off its corners.
   center_tree_->nearest_to(at, 1, infinity, found);
   const std::uint32_t nearest = found[0].index;
   const Cell& cell = cells_[nearest];

@@ -3,7 +3,6 @@
 #include "deburr/outliers.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "kd_tree.hpp"
 #include "outlier_graph.hpp"
@@ -11,6 +10,7 @@
 #include "outlier_threshold.hpp"
 #include "parallel.hpp"
 #include "require.hpp"
+#include "some_points.hpp"
 #include "working_set.hpp"
 
 namespace deburr {
@@ -30,27 +30,18 @@ std::vector<double> scores(Points points, const Execution& execution) {
   const std::size_t small = std::min(most_floaters, points.size() / small_share);
   const std::vector<Standing> standing =
       join_points(points, tree, small, sub_execution(execution, "outliers", 0.05, 0.5));
-  std::vector<Vec3> support;
-  std::vector<std::uint32_t> place(points.size(), no_point);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (standing[i] != Standing::Surface) continue;
-    place[i] = static_cast<std::uint32_t>(support.size());
-    support.push_back(points[i]);
-  }
+  const SomePoints support(points, tree,
+                           [&](std::uint32_t i) { return standing[i] == Standing::Surface; });
   std::vector<double> scores(points.size());
-  if (support.size() < fewest_points) return scores;
+  if (support.points().size() < fewest_points) return scores;
 
-  // A tree of its own, if they differ: the boxes of the other are stretched by what is off the
-  // surface.
-  std::optional<KdTree> own;
-  if (support.size() < points.size()) own.emplace(support, execution);
-  const KdTree& support_tree = own ? *own : tree;
-  const RoughSurface surface(support, support_tree, sub_execution(execution, "outliers", 0.5, 0.8));
+  const RoughSurface surface(support, sub_execution(execution, "outliers", 0.5, 0.8));
   parallel_for(points.size(), sub_execution(execution, "outliers", 0.8, 1), [&](std::size_t i) {
     if (standing[i] == Standing::Patch) return;
-    if (place[i] != no_point) scores[i] = surface.rough_score(place[i]);
-    if (place[i] != no_point && scores[i] <= sure) return;
-    scores[i] = surface.fine_score(points[i], place[i]);
+    const std::uint32_t place = support.place(static_cast<std::uint32_t>(i));
+    if (place != no_point) scores[i] = surface.rough_score(place);
+    if (place != no_point && scores[i] <= sure) return;
+    scores[i] = surface.fine_score(points[i], place);
   });
   return scores;
 }
