@@ -12,10 +12,10 @@
 #include "automatic.hpp"
 #include "deburr/error.hpp"
 #include "deburr/noise.hpp"
-#include "deburr/outliers.hpp"
 #include "keep_points.hpp"
 #include "local_noise.hpp"
 #include "noise_levels.hpp"
+#include "outliers_of_distinct.hpp"
 #include "parallel.hpp"
 #include "published.hpp"
 #include "require.hpp"
@@ -105,7 +105,7 @@ void run_automatic(const AutoOptions& options, const AutomaticParts& parts, cons
                    Report& report, StageClock& clock, const Execution& execution) {
   if (options.outliers != OutlierAction::Keep) {
     outliers = clock.time("outliers", [&] {
-      return find_outliers(set.points, {}, sub_execution(execution, "outliers", 0.02, 0.15));
+      return find_outliers_of_distinct(set.points, {}, sub_execution(execution, "outliers", 0.02, 0.15));
     });
   }
   std::vector<std::uint32_t> kept;

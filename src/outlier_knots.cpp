@@ -120,8 +120,9 @@ Patch Knots::patch_at(const Vec3& at, std::uint32_t but, std::vector<Vec3>& near
     find_near(at, count_, found);
   } else {
     find_near(at, count_ + 1, found);
-    auto out = std::ranges::find_if(
-        found, [&](const Found& f) { return knots[f.index] == points_[but]; });
+    auto out = std::ranges::find_if(found, [&](const Found& f) {
+      return group_ == 1 ? f.index == but : knots[f.index] == points_[but];
+    });
     if (out == found.end() && found.size() > count_) out = std::ranges::max_element(found, std::less{});
     if (out != found.end()) found.erase(out);
   }

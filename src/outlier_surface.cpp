@@ -66,6 +66,7 @@ void RoughSurface::fit_cells(const Execution& execution) {
   cells_.resize(begins.size() - 1);
   centers_.resize(cells_.size());
   cell_.resize(points_.size());
+  distance_.resize(points_.size());
   parallel_for(cells_.size(), execution, [&](std::size_t c) {
     Cell& cell = cells_[c];
     const auto members = order.subspan(begins[c], begins[c + 1] - begins[c]);
@@ -75,8 +76,10 @@ void RoughSurface::fit_cells(const Execution& execution) {
     cell.patch = knots_.patch_at(middle, no_point, near);
     distances.clear();
     for (const std::uint32_t i : members) {
+      const Foot foot = foot_on(cell.patch, points_[i]);
       cell_[i] = static_cast<std::uint32_t>(c);
-      distances.push_back(foot_on(cell.patch, points_[i]).distance);
+      distance_[i] = foot.aside > cell.patch.radius ? infinity : foot.distance;
+      distances.push_back(foot.distance);
     }
     cell.noise = spread(distances);
     centers_[c] = foot_on(cell.patch, middle).at;
@@ -103,22 +106,34 @@ void RoughSurface::smooth_noise(const Execution& execution) {
   }
 }
 
+std::uint32_t RoughSurface::nearest_cell(const Vec3& at, double& squared_distance) const {
+  const Found nearest = center_tree_->nearest_to(at);
+  squared_distance = nearest.squared_distance;
+  return nearest.index;
+}
+
 double RoughSurface::rough_score(std::uint32_t point) const {
-  const Cell& cell = cells_[cell_[point]];
-  const Foot foot = foot_on(cell.patch, points_[point]);
-  if (foot.aside > cell.patch.radius) return infinity;
-  return foot.distance / std::max({cell.noise, least_noise * cell.patch.radius, cell.patch.spread});
+  std::uint32_t c = cell_[point];
+  double distance = distance_[point];
+  // The corners of its cell may be beyond the patch, and nearer to another.
+  if (distance == infinity) {
+    double unused = 0;
+    c = nearest_cell(points_[point], unused);
+    const Foot foot = foot_on(cells_[c].patch, points_[point]);
+    if (foot.aside <= cells_[c].patch.radius) distance = foot.distance;
+  }
+  const Cell& cell = cells_[c];
+  return distance / std::max({cell.noise, least_noise * cell.patch.radius, cell.patch.spread});
 }
 
 double RoughSurface::fine_score(const Vec3& at, std::uint32_t self) const {
-  thread_local std::vector<Found> found;
   thread_local std::vector<Vec3> near;
   // Not always its own cell, whose patch may be far off its corners.
-  center_tree_->nearest_to(at, 1, infinity, found);
-  const std::uint32_t nearest = found[0].index;
+  double squared_distance = 0;
+  const std::uint32_t nearest = nearest_cell(at, squared_distance);
   const Cell& cell = cells_[nearest];
   const double far = far_in_radii * cell.patch.radius;
-  if (found[0].squared_distance > far * far) return infinity;
+  if (squared_distance > far * far) return infinity;
   const Foot rough = foot_on(cell.patch, at);
   // Far outside a patch its curvature means nothing.
   const Vec3 around = rough.aside <= cell.patch.radius ? rough.at : centers_[nearest];

@@ -38,12 +38,15 @@ class RoughSurface {
     double noise = 0;  ///< of the points in the cell, then of those around it too
   };
   void fit_cells(const Execution& execution);
+  /// The cell with the nearest centre.
+  [[nodiscard]] std::uint32_t nearest_cell(const Vec3& at, double& squared_distance) const;
   void smooth_noise(const Execution& execution);
 
   const SomePoints& some_;
   Points points_;
   Knots knots_;
   std::vector<std::uint32_t> cell_;  ///< of each point
+  std::vector<double> distance_;     ///< of each point from the patch of its cell, or infinity
   std::vector<Cell> cells_;
   std::unique_ptr<KdTree> center_tree_;
   std::vector<Vec3> centers_;

@@ -8,6 +8,7 @@
 #include "outlier_graph.hpp"
 #include "outlier_surface.hpp"
 #include "outlier_threshold.hpp"
+#include "outliers_of_distinct.hpp"
 #include "parallel.hpp"
 #include "require.hpp"
 #include "some_points.hpp"
@@ -48,20 +49,28 @@ std::vector<double> scores(Points points, const Execution& execution) {
 
 }  // namespace
 
+std::vector<std::uint8_t> find_outliers_of_distinct(Points points, const OutlierOptions& options,
+                                                    const Execution& execution) {
+  std::vector<std::uint8_t> outlier(points.size());
+  if (points.size() < fewest_points) return outlier;
+  const std::vector<double> score = scores(points, execution);
+  const double most = options.tolerance * score_threshold(score);
+  for (std::size_t i = 0; i < points.size(); ++i) outlier[i] = score[i] > most ? 1 : 0;
+  return outlier;
+}
+
 std::vector<std::uint8_t> find_outliers(Points points, const OutlierOptions& options,
                                         const Execution& execution) {
   require(options.tolerance >= 0.1 && options.tolerance <= 10, "outliers.tolerance", "in [0.1, 10]",
           options.tolerance);
   require(points.size() < no_point, "points", "fewer than 2^32 - 1", points.size());
-  std::vector<std::uint8_t> outlier(points.size());
   PointCloud cloud;
   cloud.points.assign(points.begin(), points.end());
   const WorkingSet set = make_working_set(cloud, {}, sub_execution(execution, "outliers", 0, 0.05));
-  if (set.points.size() < fewest_points) return outlier;
-  const std::vector<double> score = scores(set.points, execution);
-  const double most = options.tolerance * score_threshold(score);
+  const std::vector<std::uint8_t> of_set = find_outliers_of_distinct(set.points, options, execution);
+  std::vector<std::uint8_t> outlier(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (set.slot[i] != WorkingSet::none) outlier[i] = score[set.slot[i]] > most ? 1 : 0;
+    if (set.slot[i] != WorkingSet::none) outlier[i] = of_set[set.slot[i]];
   }
   return outlier;
 }
