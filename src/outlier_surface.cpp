@@ -14,8 +14,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Knots in a cell, at most.
-constexpr std::size_t cell_knots = 16;
+/// Knots in a cell, at most: as a share of those in a patch, which must reach over it.
+constexpr double cell_share = 0.36;
+constexpr double fewest_in_cell = 10;
 
 /// Cells around a place whose noise has a say in that there. With fewer, chance in it alone gives
 /// the scores a long tail.
@@ -62,6 +63,8 @@ RoughSurface::RoughSurface(const SomePoints& points, const Execution& execution)
 
 void RoughSurface::fit_cells(const Execution& execution) {
   const std::span<const std::uint32_t> order = some_.order();
+  const auto cell_knots = static_cast<std::size_t>(
+      std::max(fewest_in_cell, cell_share * static_cast<double>(knots_.per_patch())));
   const std::vector<std::uint32_t> begins = some_.groups(cell_knots * knots_.group());
   cells_.resize(begins.size() - 1);
   centers_.resize(cells_.size());
@@ -79,7 +82,7 @@ void RoughSurface::fit_cells(const Execution& execution) {
       const Foot foot = foot_on(cell.patch, points_[i]);
       cell_[i] = static_cast<std::uint32_t>(c);
       distance_[i] = foot.aside > cell.patch.radius ? infinity : foot.distance;
-      distances.push_back(foot.distance);
+      if (distance_[i] < infinity) distances.push_back(foot.distance);
     }
     cell.noise = spread(distances);
     centers_[c] = foot_on(cell.patch, middle).at;
