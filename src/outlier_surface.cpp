@@ -82,7 +82,7 @@ void RoughSurface::fit_cells(const Execution& execution) {
       const Foot foot = foot_on(cell.patch, points_[i]);
       cell_[i] = static_cast<std::uint32_t>(c);
       distance_[i] = foot.aside > cell.patch.radius ? infinity : foot.distance;
-      if (distance_[i] < infinity) distances.push_back(foot.distance);
+      distances.push_back(foot.distance);
     }
     cell.noise = spread(distances);
     centers_[c] = foot_on(cell.patch, middle).at;
