@@ -105,7 +105,8 @@ void run_automatic(const AutoOptions& options, const AutomaticParts& parts, cons
                    Report& report, StageClock& clock, const Execution& execution) {
   if (options.outliers != OutlierAction::Keep) {
     outliers = clock.time("outliers", [&] {
-      return find_outliers_of_distinct(set.points, {}, sub_execution(execution, "outliers", 0.02, 0.15));
+      return find_outliers_of_distinct(set.points, {},
+                                       sub_execution(execution, "outliers", 0.02, 0.15));
     });
   }
   std::vector<std::uint32_t> kept;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -23,6 +24,7 @@ constexpr std::size_t most_to_grow = 48;
 constexpr std::size_t most_with_tails = 100;
 constexpr std::size_t places_for_tails = 512;
 constexpr std::size_t places_for_sheets = 128;
+constexpr std::size_t points_for_distance = 4096;
 
 WorkingSet distinct_points(Points points, const Execution& execution) {
   PointCloud cloud;
@@ -80,17 +82,21 @@ NoiseEstimate NoiseSurvey::overall(const Execution& execution) {
 }
 
 double NoiseSurvey::neighbor_distance(std::size_t k, const Execution& execution) const {
-  const std::vector<Vec3>& places = patches_.sample();
-  const std::size_t others = std::min(k, set_.points.size() - std::min<std::size_t>(1, set_.points.size()));
+  // Not at the places of the patches: they are in the middle of the noise, where points are dense.
+  const std::size_t n = set_.points.size();
+  const std::size_t step = (n + points_for_distance - 1) / points_for_distance;
+  const std::size_t others = std::min(k, n - std::min<std::size_t>(1, n));
   if (others == 0) return 0;
-  const double sum = parallel_sum(places.size(), execution, [&](std::size_t i) {
+  const std::size_t some = (n + step - 1) / step;
+  const double sum = parallel_sum(some, execution, [&](std::size_t i) {
     thread_local std::vector<Found> found;
-    tree_.nearest_to(places[i], others + 1, std::numeric_limits<double>::infinity(), found);
-    double distances = 0;  // that of the point itself is 0
+    tree_.nearest(static_cast<std::uint32_t>(i * step), others,
+                  std::numeric_limits<double>::infinity(), found);
+    double distances = 0;
     for (const Found& f : found) distances += std::sqrt(f.squared_distance);
     return distances;
   });
-  return sum / static_cast<double>(places.size() * others);
+  return sum / static_cast<double>(some * others);
 }
 
 std::vector<Vec3> NoiseSurvey::some_places(std::size_t number) const {

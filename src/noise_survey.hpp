@@ -27,8 +27,8 @@ class NoiseSurvey {
   /// Looks at patches of growing size until they resolve the noise.
   NoiseEstimate overall(const Execution& execution);
 
-  /// Mean distance of points to the `k` nearest of the others, over the places of the sample. 0
-  /// where there are no others.
+  /// Mean distance of points to the `k` nearest of the others, over some 4096 of them, evenly
+  /// along the order of the set. 0 where there are no others.
   [[nodiscard]] double neighbor_distance(std::size_t k, const Execution& execution) const;
 
   [[nodiscard]] const WorkingSet& set() const { return set_; }

@@ -79,8 +79,8 @@ Knots::Knots(const SomePoints& points, const Execution& execution)
   count_ = static_cast<std::size_t>(std::clamp(points_wanted / per_knot(), least, most));
   const double usual =
       trial.radius * std::sqrt(static_cast<double>(count_ + 1) * per_knot() / in_trial);
-  grid_ = CellGrid::make(group_ == 1 ? points_ : Points(thinned_), grid_margin * usual, count_,
-                         quiet);
+  grid_ =
+      CellGrid::make(group_ == 1 ? points_ : Points(thinned_), grid_margin * usual, count_, quiet);
 }
 
 /// Keeps of each group of points the one nearest to their mean.
@@ -123,7 +123,8 @@ Patch Knots::patch_at(const Vec3& at, std::uint32_t but, std::vector<Vec3>& near
     auto out = std::ranges::find_if(found, [&](const Found& f) {
       return group_ == 1 ? f.index == but : knots[f.index] == points_[but];
     });
-    if (out == found.end() && found.size() > count_) out = std::ranges::max_element(found, std::less{});
+    if (out == found.end() && found.size() > count_)
+      out = std::ranges::max_element(found, std::less{});
     if (out != found.end()) found.erase(out);
   }
   near.clear();
@@ -140,8 +141,8 @@ Knots::Trial Knots::try_out(const Execution& execution) const {
   std::vector<double> distances(place_points * places);
   parallel_for(places, execution, [&](std::size_t s) {
     // The first points of a range are of one leaf, and near to each other.
-    const auto first = order.subspan(
-        begins[s], std::min<std::size_t>(place_points, begins[s + 1] - begins[s]));
+    const auto first =
+        order.subspan(begins[s], std::min<std::size_t>(place_points, begins[s + 1] - begins[s]));
     const Vec3& middle = points_[middle_point(points_, first)];
     thread_local std::vector<Vec3> near;
     const Patch rough = patch_at(middle, no_point, near);

@@ -125,8 +125,9 @@ void set_residuals(Columns& c, const Row& height) {
   for (std::size_t k = 0; k < c.padded(); k += lane_count) {
     const Lanes u = load(c.u, k);
     const Lanes v = load(c.v, k);
-    const Lanes r = load(c.h, k) - (height[0] + height[1] * u + height[2] * v + height[3] * (u * u) +
-                                    height[4] * (u * v) + height[5] * (v * v));
+    const Lanes r =
+        load(c.h, k) - (height[0] + height[1] * u + height[2] * v + height[3] * (u * u) +
+                        height[4] * (u * v) + height[5] * (v * v));
     store(r < 0.0 ? -r : r, c.residual, k);
   }
 }

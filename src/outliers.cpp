@@ -67,7 +67,8 @@ std::vector<std::uint8_t> find_outliers(Points points, const OutlierOptions& opt
   PointCloud cloud;
   cloud.points.assign(points.begin(), points.end());
   const WorkingSet set = make_working_set(cloud, {}, sub_execution(execution, "outliers", 0, 0.05));
-  const std::vector<std::uint8_t> of_set = find_outliers_of_distinct(set.points, options, execution);
+  const std::vector<std::uint8_t> of_set =
+      find_outliers_of_distinct(set.points, options, execution);
   std::vector<std::uint8_t> outlier(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (set.slot[i] != WorkingSet::none) outlier[i] = of_set[set.slot[i]];

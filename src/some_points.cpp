@@ -35,8 +35,7 @@ std::vector<std::uint32_t> SomePoints::groups(std::size_t most) const {
   return begins;
 }
 
-void SomePoints::nearest_to(const Vec3& at, std::size_t count,
-                                   std::vector<Found>& found) const {
+void SomePoints::nearest_to(const Vec3& at, std::size_t count, std::vector<Found>& found) const {
   constexpr double no_limit = std::numeric_limits<double>::infinity();
   if (places_.empty()) return tree_.nearest_to(at, count, no_limit, found);
   for (std::size_t ask = count + 2;; ask *= 2) {

@@ -35,7 +35,8 @@ class ForestFinder {
   }
 
   std::vector<Edge> find() && {
-    for (std::uint32_t i = 0; i < piece_.size(); ++i) piece_[i] = is_zero(normals_[i]) ? nothing : i;
+    for (std::uint32_t i = 0; i < piece_.size(); ++i)
+      piece_[i] = is_zero(normals_[i]) ? nothing : i;
     for (int round = 0; round < rounds; ++round) join_by_lightest();
     std::vector<Edge> rest = edges_between_pieces();
     add_in_order(rest);
@@ -104,8 +105,8 @@ class ForestFinder {
     return edges;
   }
 
-  /// By Kruskal, without sorting edges within what lighter ones have joined already (filter-Kruskal:
-  /// Osipov, Sanders and Singler 2009).
+  /// By Kruskal, without sorting edges within what lighter ones have joined already
+  /// (filter-Kruskal: Osipov, Sanders and Singler 2009).
   void add_in_order(std::span<Edge> edges) {
     check_cancelled(execution_);
     const auto less = [&](const Edge& a, const Edge& b) { return lighter(a, b); };

@@ -36,7 +36,9 @@ void expect_exact(const std::vector<Vec3>& points, double radius, std::size_t ma
     for (std::size_t k = 0; k < six.size(); ++k) {
       const bool there = k < expected.size();
       ASSERT_EQ(std::isfinite(six[k].squared_distance), there);
-      if (there) ASSERT_EQ(six[k].index, expected[k].index) << k;
+      if (there) {
+        ASSERT_EQ(six[k].index, expected[k].index) << k;
+      }
     }
     if (max_count > 0) counts[slot] = std::min(counts[slot], max_count);
     std::uint32_t* const to = indices.data();

@@ -8,8 +8,8 @@
 
 #include "deburr/neighborhoods.hpp"
 #include "deburr/noise.hpp"
-#include "support/compare.hpp"
 #include "local_noise.hpp"
+#include "support/compare.hpp"
 #include "support/shapes.hpp"
 
 namespace deburr {
