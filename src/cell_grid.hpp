@@ -15,6 +15,11 @@
 
 namespace deburr {
 
+/// A cell is by so much wider than the radius, that rounding cannot move a neighbour
+/// beyond the cells that are searched: coordinates in cells are off by less than
+/// 3 * 2^-53 * most_along < 1e-9.
+inline constexpr double cell_excess = 1e-6;
+
 /// The points of a cloud sorted into cubes of a grid, for searches within one radius that is known
 /// beforehand. Exact: finds what `KdTree::within` finds, in the same order.
 ///
@@ -55,7 +60,17 @@ class CellGrid {
     double low = 0;
     std::uint32_t cells = 1;
   };
-  struct Runs;
+  /// The runs of slots in which the neighbours of a place in one cell are.
+  struct Runs {
+    struct Run {
+      std::uint32_t begin, end;
+      double y, z;  ///< of the row of cells, in cells
+    };
+    std::array<Run, 9> runs;
+    std::size_t count = 0;
+    std::uint64_t cell = ~std::uint64_t{0};
+    std::size_t candidates = 0;
+  };
   /// What a search has found: the first of the entries, with room for more.
   struct Space {
     double* squared_distances;
