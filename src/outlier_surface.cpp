@@ -138,8 +138,9 @@ double RoughSurface::fine_score(const Vec3& at, std::uint32_t self) const {
   const double far = far_in_radii * cell.patch.radius;
   if (squared_distance > far * far) return infinity;
   const Foot rough = foot_on(cell.patch, at);
-  // Far outside a patch its curvature means nothing.
-  const Vec3 around = rough.aside <= cell.patch.radius ? rough.at : centers_[nearest];
+  // Far outside a patch its curvature means nothing. One of the points has others around it.
+  const Vec3& outside = self == no_point ? centers_[nearest] : at;
+  const Vec3 around = rough.aside <= cell.patch.radius ? rough.at : outside;
   const Patch patch = knots_.patch_at(around, self, near);
   const Foot foot = foot_on(patch, at);
   if (is_past_the_end(patch, foot.at, near)) return infinity;

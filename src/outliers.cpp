@@ -23,7 +23,7 @@ constexpr std::size_t fewest_points = 64;
 constexpr std::size_t small_share = 8;
 
 /// Up to this rough score a point is surely no outlier.
-constexpr double sure = 2.5;
+constexpr double sure = 2.2;
 
 /// Distance of every point from the surface, over the noise there.
 std::vector<double> scores(Points points, const Execution& execution) {
