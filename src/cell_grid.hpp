@@ -11,8 +11,14 @@
 
 #include "deburr/execution.hpp"
 #include "deburr/vec3.hpp"
+#include "kd_tree.hpp"
 
 namespace deburr {
+
+/// A cell is by so much wider than the radius, that rounding cannot move a neighbour
+/// beyond the cells that are searched: coordinates in cells are off by less than
+/// 3 * 2^-53 * most_along < 1e-9.
+inline constexpr double cell_excess = 1e-6;
 
 /// The points of a cloud sorted into cubes of a grid, for searches within one radius that is known
 /// beforehand. Exact: finds what `KdTree::within` finds, in the same order.
@@ -40,17 +46,43 @@ class CellGrid {
   void find(std::size_t begin, std::size_t end, std::span<const std::size_t> wanted,
             std::span<std::uint32_t* const> to) const;
 
+  /// For few: writes for each slot in [begin, end) the `count` nearest other points to
+  /// `to[(slot - begin) * count]`, sorted by (distance, index). Where there are fewer within the
+  /// radius, the rest is infinitely far.
+  void nearest(std::size_t begin, std::size_t end, std::size_t count, Found* to) const;
+
+  /// The points within the radius of a finite place, in an order that follows from it, put into the
+  /// cleared `found`.
+  void within_of(const Vec3& at, std::vector<Found>& found) const;
+
  private:
   struct Axis {
     double low = 0;
     std::uint32_t cells = 1;
   };
-  struct Runs;
+  /// The runs of slots in which the neighbours of a place in one cell are.
+  struct Runs {
+    struct Run {
+      std::uint32_t begin, end;
+      double y, z;  ///< of the row of cells, in cells
+    };
+    std::array<Run, 9> runs;
+    std::size_t count = 0;
+    std::uint64_t cell = ~std::uint64_t{0};
+    std::size_t candidates = 0;
+  };
+  /// What a search has found: the first of the entries, with room for more.
+  struct Space {
+    double* squared_distances;
+    std::uint32_t* indices;
+  };
 
   CellGrid() = default;
   void sort_points(Points points, const Execution& execution);
   [[nodiscard]] double squared_occupancy() const;  ///< pairs of points of one cell
-  void set_runs(std::size_t slot, Runs& runs) const;
+  [[nodiscard]] Vec3 place(std::size_t slot) const { return {x_[slot], y_[slot], z_[slot]}; }
+  void set_runs(const Vec3& at, Runs& runs) const;
+  [[nodiscard]] std::size_t gather(const Vec3& at, const Runs& runs, const Space& space) const;
 
   double squared_radius_ = 0;
   double per_cell_ = 0;  ///< 1 / width of a cell

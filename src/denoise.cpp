@@ -12,9 +12,10 @@
 #include "automatic.hpp"
 #include "deburr/error.hpp"
 #include "deburr/noise.hpp"
-#include "deburr/outliers.hpp"
 #include "keep_points.hpp"
+#include "local_noise.hpp"
 #include "noise_levels.hpp"
+#include "outliers_of_distinct.hpp"
 #include "parallel.hpp"
 #include "published.hpp"
 #include "require.hpp"
@@ -83,13 +84,29 @@ void run_yadav2018(const Yadav2018Options& options, const WorkingSet& set, bool 
                 sub_execution(execution, "rounds", 0.1, 1));
 }
 
+/// The levels of noise, times the strength, of a cloud in which it differs from place to place.
+NoiseLevels levels_of(LocalNoiseField& field, double strength, const Execution& execution) {
+  const NoiseEstimate& estimate = field.overall();
+  const double least = least_noise * estimate.spacing;
+  // Where much of the cloud has none, what looks like noise elsewhere is detail.
+  if (!(estimate.sigma > least)) return {};
+  const auto levels = [&](std::vector<double> sigma) {
+    for (double& s : sigma) s *= strength;
+    return find_noise_levels(sigma, least);
+  };
+  // Single places tell whether it is worth asking for every point.
+  if (levels(field.sigma_at_places(execution)).sigma.empty()) return {};
+  return levels(field.at_points(execution).sigma);
+}
+
 /// The default method, on what is left when outliers are taken out.
 void run_automatic(const AutoOptions& options, const AutomaticParts& parts, const WorkingSet& set,
                    bool keep_normals, State& state, std::vector<std::uint8_t>& outliers,
                    Report& report, StageClock& clock, const Execution& execution) {
   if (options.outliers != OutlierAction::Keep) {
     outliers = clock.time("outliers", [&] {
-      return find_outliers(set.points, {}, sub_execution(execution, "outliers", 0.02, 0.15));
+      return find_outliers_of_distinct(set.points, {},
+                                       sub_execution(execution, "outliers", 0.02, 0.15));
     });
   }
   std::vector<std::uint32_t> kept;
@@ -101,14 +118,18 @@ void run_automatic(const AutoOptions& options, const AutomaticParts& parts, cons
     points.push_back(set.points[i]);
     if (keep_normals) normals.push_back(set.normals[i]);
   }
-  LocalNoise local_noise = clock.time("spacing and noise", [&] {
-    (void)measure_spacing(points, spacing_neighbors, set, report,
-                          sub_execution(execution, "spacing and noise", 0.15, 0.2));
-    const Execution part = sub_execution(execution, "noise", 0.2, 0.25);
-    return options.noise > 0 ? LocalNoise{measure_noise(points, part), {}, {}}
-                             : estimate_local_noise(points, part);
+  constexpr std::array by_strength{0.5, 1 / std::numbers::sqrt2, 1.0, std::numbers::sqrt2, 2.0};
+  const double strength = by_strength.at(static_cast<std::size_t>(options.strength - 1));
+  NoiseEstimate estimate;
+  NoiseLevels levels;
+  clock.time("spacing and noise", [&] {
+    LocalNoiseField field(set_of_distinct(points), sub_execution(execution, "noise", 0.15, 0.22));
+    const Execution rest = sub_execution(execution, "noise", 0.22, 0.25);
+    report.spacing = set.length(field.neighbor_distance(spacing_neighbors, rest));
+    estimate = field.overall();
+    if (!(options.noise > 0) && parts.noise_levels) levels = levels_of(field, strength, rest);
+    return 0;
   });
-  const NoiseEstimate& estimate = local_noise.overall;
   // Given lengths may be of any size; the points lie within a box of 4.
   const auto local = [&](double length) {
     return std::min(std::scalbn(length, -set.exponent), 4.0);
@@ -116,8 +137,6 @@ void run_automatic(const AutoOptions& options, const AutomaticParts& parts, cons
   const double spacing =
       estimate.spacing > 0 || options.noise == 0 ? estimate.spacing : local(report.spacing);
   if (!(spacing > 0)) return;
-  constexpr std::array by_strength{0.5, 1 / std::numbers::sqrt2, 1.0, std::numbers::sqrt2, 2.0};
-  const double strength = by_strength.at(static_cast<std::size_t>(options.strength - 1));
   const Caution caution(options.noise > 0 ? NoiseEstimate{} : estimate);
   const double found = strength * (options.noise > 0 ? local(options.noise) : estimate.sigma);
   const double noise = caution.noise * found;
@@ -125,10 +144,6 @@ void run_automatic(const AutoOptions& options, const AutomaticParts& parts, cons
   double max_move =
       given_move > 0 ? given_move : std::min(most_deviations * noise, caution.max_move);
   const double least = least_noise * spacing;
-  // Where much of the cloud has none, what looks like noise elsewhere is detail.
-  if (!(estimate.sigma > least) || !parts.noise_levels) local_noise.sigma.clear();
-  for (double& sigma : local_noise.sigma) sigma *= strength;
-  const NoiseLevels levels = find_noise_levels(local_noise.sigma, least);
   const AutomaticInput input{points, normals, std::max(noise, least), spacing, max_move, parts};
   const Execution part = sub_execution(execution, "denoise", 0.25, 1);
   AutomaticResult result;

@@ -1,20 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The deburr authors
 // SPDX-License-Identifier: Apache-2.0
+#include "local_noise.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <vector>
+#include <limits>
+#include <span>
+#include <utility>
 
-#include "deburr/noise.hpp"
-#include "noise_survey.hpp"
 #include "parallel.hpp"
 
 namespace deburr {
 namespace {
 
-/// Places whose patches are taken together, and over which what they show is then averaged.
+/// One of so many places of the survey has a value.
+constexpr std::size_t place_step = 2;
+/// Places whose patches are taken together, and those over whose values is then averaged.
 constexpr std::size_t group_size = 48;
-constexpr std::size_t smooth_size = 12;
+constexpr std::size_t smooth_size = 6;
 /// Places that the values at a point are interpolated from.
 constexpr std::size_t interpolated = 6;
 /// Sizes beyond the one that resolves the overall noise: patches four times as wide.
@@ -52,9 +55,9 @@ std::vector<Vec3> thinned(const std::vector<Vec3>& places, std::size_t stride) {
   return some;
 }
 
-/// Lets every group look at patches of one size.
+/// Lets the group at every place look at patches of one size.
 void add_size(const PatchSurvey& survey, std::size_t size, const NoiseEstimate& overall,
-              std::vector<Group>& groups, const Execution& execution) {
+              std::span<const Vec3> at, std::vector<Group>& groups, const Execution& execution) {
   const std::vector<SurfacePatch>& patches = survey.patches(size);
   const std::vector<Vec3> places = thinned(survey.sample(), survey.stride(size));
   const KdTree tree(places);
@@ -65,8 +68,7 @@ void add_size(const PatchSurvey& survey, std::size_t size, const NoiseEstimate& 
     for (std::size_t i = begin; i < end; ++i) {
       Group& group = groups[i];
       if (group.resolved) continue;
-      tree.nearest_to(survey.sample()[i], group_size, std::numeric_limits<double>::infinity(),
-                      found);
+      tree.nearest_to(at[i], group_size, std::numeric_limits<double>::infinity(), found);
       near.clear();
       for (const Found& f : found) near.push_back(patches[f.index]);
       const SizeEstimate now = combine(near, survey.count(size), flattest_of_few);
@@ -85,88 +87,113 @@ void add_size(const PatchSurvey& survey, std::size_t size, const NoiseEstimate& 
   });
 }
 
-/// Noise and spacing at the places of a sample, as logarithms.
-std::vector<Group> group_noise(NoiseSurvey& survey, const NoiseEstimate& overall,
-                               const Execution& execution) {
-  PatchSurvey& patches = survey.patches();
+/// Noise and spacing at places, as logarithms.
+std::vector<Group> group_noise(PatchSurvey& patches, std::span<const Vec3> at,
+                               const NoiseEstimate& overall, const Execution& execution) {
   const Group unknown{.log_sigma = std::log(std::max(overall.sigma, least)),
                       .log_spacing = std::log(std::max(overall.spacing, least))};
-  std::vector<Group> groups(patches.sample().size(), unknown);
+  std::vector<Group> groups(at.size(), unknown);
   const std::size_t end = patches.sizes() + more_sizes;
   for (std::size_t size = 0; size < end && patches.has_size(size); ++size) {
     if (std::ranges::all_of(groups, &Group::resolved)) break;
     if (size == patches.sizes()) patches.add_size(execution);
-    add_size(patches, size, overall, groups, execution);
+    add_size(patches, size, overall, at, groups, execution);
   }
   return groups;
 }
 
-/// Means over the nearest places.
-std::vector<Group> smoothed(const std::vector<Group>& groups, const std::vector<Vec3>& places,
-                            const KdTree& tree, const Execution& execution) {
-  std::vector<Group> smooth(groups.size());
-  parallel_for(groups.size(), execution, [&](std::size_t i) {
-    std::vector<Found> found;
-    tree.nearest_to(places[i], smooth_size, std::numeric_limits<double>::infinity(), found);
-    const double share = 1 / static_cast<double>(found.size());
-    for (const Found& f : found) {
-      smooth[i].log_sigma += share * groups[f.index].log_sigma;
-      smooth[i].log_spacing += share * groups[f.index].log_spacing;
-    }
-  });
-  return smooth;
-}
-
-/// The value at a place from those at the nearest ones, by inverse squared distance, softened by
-/// the distance of the farthest so that it is smooth at the places themselves.
-Group interpolate(const std::vector<Group>& groups, const std::vector<Found>& found) {
-  const double soft = 0.25 * found.back().squared_distance;
-  if (!(soft > 0)) return groups[found.front().index];
-  Group at;
-  double sum = 0;
-  for (const Found& f : found) {
-    const double weight = 1 / (f.squared_distance + soft);
-    at.log_sigma += weight * groups[f.index].log_sigma;
-    at.log_spacing += weight * groups[f.index].log_spacing;
-    sum += weight;
-  }
-  at.log_sigma /= sum;
-  at.log_spacing /= sum;
-  return at;
+Execution quiet(const Execution& execution) {
+  return {.threads = execution.threads, .cancelled = execution.cancelled};
 }
 
 }  // namespace
 
-LocalNoise estimate_local_noise(Points points, const Execution& execution) {
-  NoiseSurvey survey(points, sub_execution(execution, "noise", 0, 0.3));
-  const NoiseEstimate overall = survey.overall(sub_execution(execution, "noise", 0.3, 0.6));
-  const WorkingSet& set = survey.set();
-  LocalNoise noise;
-  noise.overall = {set.length(overall.sigma), set.length(overall.spacing),
-                   set.length(overall.reach), set.length(overall.gap)};
-  noise.sigma.assign(points.size(), noise.overall.sigma);
-  noise.spacing.assign(points.size(), noise.overall.spacing);
-  if (!survey.has_enough_points() || !(overall.spacing > 0)) return noise;
-  // Of sheets that lie close over each other, patches of single places show the gap.
-  if (overall.gap > 0) return noise;
+LocalNoiseField::LocalNoiseField(Points points, const Execution& execution)
+    : survey_(points, sub_execution(execution, "noise", 0, 0.5)) {
+  measure(execution);
+}
 
-  const Execution quiet{.threads = execution.threads, .cancelled = execution.cancelled};
-  const std::vector<Vec3>& places = survey.patches().sample();
-  const KdTree tree(places, quiet);
-  const std::vector<Group> groups =
-      smoothed(group_noise(survey, overall, quiet), places, tree, quiet);
-  std::vector<Group> at(set.points.size());
-  parallel_for(at.size(), sub_execution(execution, "noise", 0.6, 1), [&](std::size_t i) {
+LocalNoiseField::LocalNoiseField(WorkingSet set, const Execution& execution)
+    : survey_(std::move(set), execution) {
+  measure(execution);
+}
+
+void LocalNoiseField::measure(const Execution& execution) {
+  local_ = survey_.overall(sub_execution(execution, "noise", 0.5, 1));
+  const WorkingSet& set = survey_.set();
+  overall_ = {set.length(local_.sigma), set.length(local_.spacing), set.length(local_.reach),
+              set.length(local_.gap)};
+}
+
+double LocalNoiseField::neighbor_distance(std::size_t k, const Execution& execution) const {
+  return survey_.set().length(survey_.neighbor_distance(k, execution));
+}
+
+/// Means over the nearest places of what the groups there show.
+void LocalNoiseField::find_values(const Execution& execution) {
+  // Of sheets that lie close over each other, patches of single places show the gap.
+  if (tree_ || !survey_.has_enough_points() || !(local_.spacing > 0) || local_.gap > 0) return;
+  places_ = thinned(survey_.patches().sample(), place_step);
+  tree_ = std::make_unique<KdTree>(places_, execution);
+  const std::vector<Group> groups = group_noise(survey_.patches(), places_, local_, execution);
+  values_.resize(groups.size());
+  parallel_for(groups.size(), execution, [&](std::size_t i) {
     thread_local std::vector<Found> found;
-    tree.nearest_to(set.points[i], interpolated, std::numeric_limits<double>::infinity(), found);
-    at[i] = interpolate(groups, found);
+    tree_->nearest_to(places_[i], smooth_size, std::numeric_limits<double>::infinity(), found);
+    const double share = 1 / static_cast<double>(found.size());
+    for (const Found& f : found) {
+      values_[i].log_sigma += share * groups[f.index].log_sigma;
+      values_[i].log_spacing += share * groups[f.index].log_spacing;
+    }
   });
-  for (std::size_t i = 0; i < points.size(); ++i) {
+}
+
+/// The value at a place from those at the nearest ones, by inverse squared distance, softened by
+/// the distance of the farthest so that it is smooth at the places themselves.
+LocalNoiseField::Value LocalNoiseField::interpolate(const Vec3& at) const {
+  thread_local std::vector<Found> found;
+  tree_->nearest_to(at, interpolated, std::numeric_limits<double>::infinity(), found);
+  const double soft = 0.25 * found.back().squared_distance;
+  if (!(soft > 0)) return values_[found.front().index];
+  Value value;
+  double sum = 0;
+  for (const Found& f : found) {
+    const double weight = 1 / (f.squared_distance + soft);
+    value.log_sigma += weight * values_[f.index].log_sigma;
+    value.log_spacing += weight * values_[f.index].log_spacing;
+    sum += weight;
+  }
+  return {value.log_sigma / sum, value.log_spacing / sum};
+}
+
+std::vector<double> LocalNoiseField::sigma_at_places(const Execution& execution) {
+  find_values(quiet(execution));
+  std::vector<double> sigma;
+  for (const Value& v : values_) sigma.push_back(survey_.set().length(std::exp(v.log_sigma)));
+  return sigma;
+}
+
+LocalNoise LocalNoiseField::at_points(const Execution& execution) {
+  const WorkingSet& set = survey_.set();
+  LocalNoise noise{overall_, {}, {}};
+  noise.sigma.assign(set.slot.size(), overall_.sigma);
+  noise.spacing.assign(set.slot.size(), overall_.spacing);
+  find_values(quiet(execution));
+  if (values_.empty()) return noise;
+  std::vector<Value> at(set.points.size());
+  parallel_for(at.size(), sub_execution(execution, "noise", 0, 1),
+               [&](std::size_t i) { at[i] = interpolate(set.points[i]); });
+  for (std::size_t i = 0; i < set.slot.size(); ++i) {
     if (set.slot[i] == WorkingSet::none) continue;
     noise.sigma[i] = set.length(std::exp(at[set.slot[i]].log_sigma));
     noise.spacing[i] = set.length(std::exp(at[set.slot[i]].log_spacing));
   }
   return noise;
+}
+
+LocalNoise estimate_local_noise(Points points, const Execution& execution) {
+  LocalNoiseField field(points, sub_execution(execution, "noise", 0, 0.6));
+  return field.at_points(sub_execution(execution, "noise", 0.6, 1));
 }
 
 }  // namespace deburr

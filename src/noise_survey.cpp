@@ -3,6 +3,10 @@
 #include "noise_survey.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
 
 #include "noise_sheets.hpp"
 #include "noise_tails.hpp"
@@ -20,6 +24,7 @@ constexpr std::size_t most_to_grow = 48;
 constexpr std::size_t most_with_tails = 100;
 constexpr std::size_t places_for_tails = 512;
 constexpr std::size_t places_for_sheets = 128;
+constexpr std::size_t points_for_distance = 4096;
 
 WorkingSet distinct_points(Points points, const Execution& execution) {
   PointCloud cloud;
@@ -30,9 +35,10 @@ WorkingSet distinct_points(Points points, const Execution& execution) {
 }  // namespace
 
 NoiseSurvey::NoiseSurvey(Points points, const Execution& execution)
-    : set_(distinct_points(points, sub_execution(execution, "noise", 0, 0.3))),
-      tree_(set_.points, execution),
-      patches_(set_.points, tree_) {}
+    : NoiseSurvey(distinct_points(points, sub_execution(execution, "noise", 0, 0.3)), execution) {}
+
+NoiseSurvey::NoiseSurvey(WorkingSet set, const Execution& execution)
+    : set_(std::move(set)), tree_(set_.points, execution), patches_(set_.points, tree_) {}
 
 bool NoiseSurvey::has_enough_points() const { return set_.points.size() >= fewest_points; }
 
@@ -73,6 +79,24 @@ NoiseEstimate NoiseSurvey::overall(const Execution& execution) {
   }
   if (execution.progress) execution.progress({"noise", 1});
   return {best.sigma, best.spacing, best.reach, close.found ? close.gap : 0};
+}
+
+double NoiseSurvey::neighbor_distance(std::size_t k, const Execution& execution) const {
+  // Not at the places of the patches: they are in the middle of the noise, where points are dense.
+  const std::size_t n = set_.points.size();
+  const std::size_t step = (n + points_for_distance - 1) / points_for_distance;
+  const std::size_t others = std::min(k, n - std::min<std::size_t>(1, n));
+  if (others == 0) return 0;
+  const std::size_t some = (n + step - 1) / step;
+  const double sum = parallel_sum(some, execution, [&](std::size_t i) {
+    thread_local std::vector<Found> found;
+    tree_.nearest(static_cast<std::uint32_t>(i * step), others,
+                  std::numeric_limits<double>::infinity(), found);
+    double distances = 0;
+    for (const Found& f : found) distances += std::sqrt(f.squared_distance);
+    return distances;
+  });
+  return sum / static_cast<double>(some * others);
 }
 
 std::vector<Vec3> NoiseSurvey::some_places(std::size_t number) const {

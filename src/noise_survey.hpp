@@ -17,12 +17,19 @@ namespace deburr {
 /// working set, in which no square overflows.
 class NoiseSurvey {
  public:
+  /// Of any points.
   NoiseSurvey(Points points, const Execution& execution);
+  /// Of a set whose points are all different.
+  NoiseSurvey(WorkingSet set, const Execution& execution);
   NoiseSurvey(const NoiseSurvey&) = delete;  // parts refer to each other
   NoiseSurvey& operator=(const NoiseSurvey&) = delete;
 
   /// Looks at patches of growing size until they resolve the noise.
   NoiseEstimate overall(const Execution& execution);
+
+  /// Mean distance of points to the `k` nearest of the others, over some 4096 of them, evenly
+  /// along the order of the set. 0 where there are no others.
+  [[nodiscard]] double neighbor_distance(std::size_t k, const Execution& execution) const;
 
   [[nodiscard]] const WorkingSet& set() const { return set_; }
   [[nodiscard]] bool has_enough_points() const;

@@ -8,12 +8,19 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <span>
+#include <utility>
 
+#include "cell_grid.hpp"
 #include "outlier_patch.hpp"
 #include "parallel.hpp"
+#include "quantile.hpp"
 
 namespace deburr {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr std::size_t links = 6;
 using Links = std::array<std::uint32_t, links>;
@@ -54,6 +61,49 @@ double longest_reach(std::vector<double> reach) {
   return scattered * *tenth;
 }
 
+/// A radius within which most points have their links, from those of some.
+double usual_radius(Points points, const KdTree& tree) {
+  constexpr std::size_t samples = 512;
+  constexpr double margin = 1.7;
+  const std::size_t step = (points.size() + samples - 1) / samples;
+  std::vector<double> squares;
+  std::vector<Found> found;
+  for (std::size_t at = 0; at < points.size(); at += step) {
+    tree.nearest(tree.order()[at], links, infinity, found);
+    squares.push_back(found.back().squared_distance);
+  }
+  return margin * std::sqrt(quantile(std::move(squares), 0.5));
+}
+
+/// The nearest of every point: in a grid where it has enough within a usual radius, else in the
+/// tree.
+void find_links(Points points, const KdTree& tree, std::vector<Links>& nearest,
+                std::vector<double>& reach, const Execution& execution) {
+  const auto set = [&](std::uint32_t i, std::span<const Found> found) {
+    for (std::size_t k = 0; k < links; ++k) nearest[i][k] = found[k].index;
+    reach[i] = std::sqrt(found.back().squared_distance);
+  };
+  const std::optional<CellGrid> grid =
+      CellGrid::make(points, usual_radius(points, tree), links,
+                     {.threads = execution.threads, .cancelled = execution.cancelled});
+  parallel_blocks(points.size(), execution, [&](std::size_t begin, std::size_t end) {
+    std::vector<Found> in_grid((end - begin) * links);
+    std::vector<Found> found;
+    if (grid) grid->nearest(begin, end, links, in_grid.data());
+    for (std::size_t at = begin; at < end; ++at) {
+      // Along the leaves of the tree one search warms the cache for the next.
+      const std::uint32_t i = grid ? grid->index(at) : tree.order()[at];
+      const auto near = std::span<const Found>(in_grid).subspan((at - begin) * links, links);
+      if (grid && near.back().squared_distance < infinity) {
+        set(i, near);
+        continue;
+      }
+      tree.nearest(i, links, infinity, found);
+      set(i, found);
+    }
+  });
+}
+
 bool is_flat(Points group) {
   return group.size() >= fewest_in_patch && fit_patch(group, group[0]).flatness <= flat;
 }
@@ -65,17 +115,7 @@ std::vector<Standing> join_points(Points points, const KdTree& tree, std::size_t
   const std::size_t n = points.size();
   std::vector<Links> nearest(n);
   std::vector<double> reach(n);
-  // Along the leaves of the tree one search warms the cache for the next.
-  const std::vector<std::uint32_t>& order = tree.order();
-  parallel_blocks(n, execution, [&](std::size_t begin, std::size_t end) {
-    std::vector<Found> found;
-    for (std::size_t at = begin; at < end; ++at) {
-      const std::uint32_t i = order[at];
-      tree.nearest(i, links, std::numeric_limits<double>::infinity(), found);
-      for (std::size_t k = 0; k < links; ++k) nearest[i][k] = found[k].index;
-      reach[i] = std::sqrt(found.back().squared_distance);
-    }
-  });
+  find_links(points, tree, nearest, reach, execution);
 
   const double longest = longest_reach(reach);
   Sets sets(n);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 
 #include "parallel.hpp"
 
@@ -26,26 +28,13 @@ constexpr double most = 48;
 /// Noise in spacings, roughly, that fewer knots suffice for.
 constexpr double little_noise = 0.14;
 
+/// Radius of the grid over what most patches need.
+constexpr double grid_margin = 1.25;
+
 /// A thinner copy than this says nothing.
 constexpr std::size_t fewest_thinned = 1000;
 
 }  // namespace
-
-std::vector<std::uint32_t> halves(std::size_t n, std::size_t most_in_one) {
-  std::vector<std::uint32_t> begins;
-  const auto split = [&](const auto& self, std::size_t begin, std::size_t end) -> void {
-    if (end - begin <= most_in_one) {
-      begins.push_back(static_cast<std::uint32_t>(begin));
-      return;
-    }
-    const std::size_t middle = begin + (end - begin) / 2;
-    self(self, begin, middle);
-    self(self, middle, end);
-  };
-  split(split, 0, n);
-  begins.push_back(static_cast<std::uint32_t>(n));
-  return begins;
-}
 
 std::uint32_t middle_point(Points points, std::span<const std::uint32_t> ids) {
   const Vec3& origin = points[ids[0]];
@@ -64,8 +53,8 @@ double spread(std::span<double> distances) {
   return *at / 1.2816;
 }
 
-Knots::Knots(Points points, const KdTree& tree, const Execution& execution)
-    : points_(points), tree_(tree), count_(trial_knots) {
+Knots::Knots(const SomePoints& points, const Execution& execution)
+    : some_(points), points_(points.points()), count_(trial_knots) {
   // How many trials it takes is not known, so that they tell no progress.
   Execution quiet = execution;
   quiet.progress = nullptr;
@@ -83,10 +72,15 @@ Knots::Knots(Points points, const KdTree& tree, const Execution& execution)
   const double points_wanted = ratio * ratio * static_cast<double>(trial_knots) * per_knot();
   std::size_t group = 1;
   while (points_wanted > most * static_cast<double>(group)) group *= 2;
+  const double in_trial = static_cast<double>(trial_knots) * per_knot();
   if (group != group_) thin(group);
   const double little = wanted_radius * little_noise;
   const double least = points_wanted < 3.14 * little * little ? fewest_exact : fewest;
   count_ = static_cast<std::size_t>(std::clamp(points_wanted / per_knot(), least, most));
+  const double usual =
+      trial.radius * std::sqrt(static_cast<double>(count_ + 1) * per_knot() / in_trial);
+  grid_ =
+      CellGrid::make(group_ == 1 ? points_ : Points(thinned_), grid_margin * usual, count_, quiet);
 }
 
 /// Keeps of each group of points the one nearest to their mean.
@@ -95,8 +89,8 @@ void Knots::thin(std::size_t group) {
   thinned_.clear();
   thinned_tree_.reset();
   if (group == 1) return;
-  const std::span<const std::uint32_t> order = tree_.order();
-  const std::vector<std::uint32_t> begins = halves(order.size(), group);
+  const std::span<const std::uint32_t> order = some_.order();
+  const std::vector<std::uint32_t> begins = some_.groups(group);
   for (std::size_t g = 0; g + 1 < begins.size(); ++g) {
     const auto members = order.subspan(begins[g], begins[g + 1] - begins[g]);
     thinned_.push_back(points_[middle_point(points_, members)]);
@@ -104,40 +98,59 @@ void Knots::thin(std::size_t group) {
   thinned_tree_ = std::make_unique<KdTree>(thinned_);
 }
 
+/// The nearest knots to a place, in no particular order that is yet always the same.
+void Knots::find_near(const Vec3& at, std::size_t count, std::vector<Found>& found) const {
+  if (grid_) {
+    grid_->within_of(at, found);
+    if (found.size() >= count) {
+      const auto last = found.begin() + static_cast<std::ptrdiff_t>(count) - 1;
+      std::nth_element(found.begin(), last, found.end());
+      found.resize(count);
+      return;
+    }
+  }
+  if (group_ == 1) return some_.nearest_to(at, count, found);
+  thinned_tree_->nearest_to(at, count, std::numeric_limits<double>::infinity(), found);
+}
+
 Patch Knots::patch_at(const Vec3& at, std::uint32_t but, std::vector<Vec3>& near) const {
   thread_local std::vector<Found> found;
-  near.clear();
-  if (group_ == 1) {
-    tree_.nearest_to(at, count_, std::numeric_limits<double>::infinity(), found, but);
-    for (const Found& f : found) near.push_back(points_[f.index]);
+  const Points knots = group_ == 1 ? points_ : Points(thinned_);
+  if (but == no_point) {
+    find_near(at, count_, found);
   } else {
-    thinned_tree_->nearest_to(at, count_ + 1, std::numeric_limits<double>::infinity(), found);
-    for (const Found& f : found) {
-      if (but != no_point && thinned_[f.index] == points_[but]) continue;
-      near.push_back(thinned_[f.index]);
-    }
-    if (near.size() > count_) near.pop_back();
+    find_near(at, count_ + 1, found);
+    auto out = std::ranges::find_if(found, [&](const Found& f) {
+      return group_ == 1 ? f.index == but : knots[f.index] == points_[but];
+    });
+    if (out == found.end() && found.size() > count_)
+      out = std::ranges::max_element(found, std::less{});
+    if (out != found.end()) found.erase(out);
   }
+  near.clear();
+  for (const Found& f : found) near.push_back(knots[f.index]);
   return fit_patch(near, at);
 }
 
 Knots::Trial Knots::try_out(const Execution& execution) const {
-  const std::span<const std::uint32_t> order = tree_.order();
+  const std::span<const std::uint32_t> order = some_.order();
   const std::vector<std::uint32_t> begins =
-      halves(order.size(), std::max(order.size() / trial_places, 3 * place_points));
+      some_.groups(std::max(order.size() / trial_places, 3 * place_points));
   const std::size_t places = begins.size() - 1;
   std::vector<double> radii(places);
   std::vector<double> distances(place_points * places);
   parallel_for(places, execution, [&](std::size_t s) {
     // The first points of a range are of one leaf, and near to each other.
-    const auto first = order.subspan(begins[s], place_points);
+    const auto first =
+        order.subspan(begins[s], std::min<std::size_t>(place_points, begins[s + 1] - begins[s]));
     const Vec3& middle = points_[middle_point(points_, first)];
     thread_local std::vector<Vec3> near;
     const Patch rough = patch_at(middle, no_point, near);
     const Patch patch = patch_at(foot_on(rough, middle).at, no_point, near);
     radii[s] = patch.radius;
     for (std::size_t k = 0; k < place_points; ++k) {
-      distances[place_points * s + k] = foot_on(patch, points_[first[k]]).distance;
+      const Vec3& point = points_[first[k % first.size()]];
+      distances[place_points * s + k] = foot_on(patch, point).distance;
     }
   });
   Trial trial;

@@ -4,13 +4,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "cell_grid.hpp"
 #include "deburr/execution.hpp"
 #include "deburr/vec3.hpp"
 #include "kd_tree.hpp"
 #include "outlier_patch.hpp"
+#include "some_points.hpp"
 
 namespace deburr {
 
@@ -23,12 +26,11 @@ inline constexpr std::uint32_t no_point = ~std::uint32_t{0};
 /// on the noise.
 class Knots {
  public:
-  /// @param points  distinct, at least 64
-  /// @param tree  of the points; both must outlive this
-  Knots(Points points, const KdTree& tree, const Execution& execution);
+  /// @param points  distinct, at least 64; must outlive this
+  Knots(const SomePoints& points, const Execution& execution);
 
   /// The patch of the knots nearest to a place; point `but` is not among them.
-  /// @param[out] near  those knots, nearest first
+  /// @param[out] near  those knots
   [[nodiscard]] Patch patch_at(const Vec3& at, std::uint32_t but, std::vector<Vec3>& near) const;
 
   /// Points that one knot stands for, at most.
@@ -42,19 +44,17 @@ class Knots {
     double radius = 0;
   };
   [[nodiscard]] Trial try_out(const Execution& execution) const;
+  void find_near(const Vec3& at, std::size_t count, std::vector<Found>& found) const;
   void thin(std::size_t group);
 
+  const SomePoints& some_;
   Points points_;
-  const KdTree& tree_;
   std::size_t group_ = 1;
   std::size_t count_ = 0;
   std::vector<Vec3> thinned_;  ///< empty for a group of 1
   std::unique_ptr<KdTree> thinned_tree_;
+  std::optional<CellGrid> grid_;  ///< of the knots, where most searches need it only
 };
-
-/// Begins of the ranges that halving [0, n) gives until none is larger than `most`: those of the
-/// nodes of a balanced tree over n points. Ends with n.
-[[nodiscard]] std::vector<std::uint32_t> halves(std::size_t n, std::size_t most);
 
 /// Of points[ids[i]], the index of the one nearest to their mean.
 [[nodiscard]] std::uint32_t middle_point(Points points, std::span<const std::uint32_t> ids);

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <vector>
 
+#include "lanes.hpp"
 #include "sym3.hpp"
 
 namespace deburr {
@@ -16,24 +18,74 @@ constexpr int rounds = 3;
 
 using Row = std::array<double, terms>;
 
+/// Points in the frame of a patch, one coordinate after the other, up to a multiple of the lanes:
+/// those beyond the last have no weight.
+class Columns {
+ public:
+  void resize(std::size_t n) {
+    const std::size_t padded = (n + lane_count - 1) / lane_count * lane_count;
+    for (std::vector<double>* column : {&u, &v, &h, &weight, &residual}) column->assign(padded, 0);
+    std::fill_n(weight.begin(), n, 1.0);
+  }
+  [[nodiscard]] std::size_t padded() const { return weight.size(); }
+
+  std::vector<double> u, v, h, weight, residual;
+};
+
+DEBURR_LANES_INLINE Lanes load(const std::vector<double>& column, std::size_t at) {
+  Lanes lanes;
+  std::memcpy(&lanes, column.data() + at, sizeof lanes);
+  return lanes;
+}
+
+DEBURR_LANES_INLINE void store(const Lanes& lanes, std::vector<double>& column, std::size_t at) {
+  std::memcpy(column.data() + at, &lanes, sizeof lanes);
+}
+
+/// Sum of weight times outer product.
+DEBURR_MULTIVERSION
+Sym3 covariance_of(const Columns& c) {
+  LanesSym3 total;
+  for (std::size_t k = 0; k < c.padded(); k += lane_count) {
+    total.add_outer(load(c.weight, k), {load(c.u, k), load(c.v, k), load(c.h, k)});
+  }
+  return sum(total);
+}
+
+/// Coordinates along three axes instead.
+DEBURR_MULTIVERSION
+void turn(Columns& c, const Spectrum& axes) {
+  const Lanes3 u = all_lanes(axes.vectors[0]);
+  const Lanes3 v = all_lanes(axes.vectors[1]);
+  const Lanes3 h = all_lanes(axes.vectors[2]);
+  for (std::size_t k = 0; k < c.padded(); k += lane_count) {
+    const Lanes3 p{load(c.u, k), load(c.v, k), load(c.h, k)};
+    store(dot(p, u), c.u, k);
+    store(dot(p, v), c.v, k);
+    store(dot(p, h), c.h, k);
+  }
+}
+
 /// Weighted sums of the monomials of a place in each other and in the height. The 36 products of
 /// two monomials are only 15 different ones.
 /// @return the sum of the weights
-double normal_equations(std::span<const Vec3> points, std::span<const double> weight,
-                        std::array<Row, terms>& a, Row& b) {
-  std::array<double, 15> m{};
-  b = {};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& [u, v, h] = points[i];
-    const double w = weight[i];
-    const double wu = w * u;
-    const double wv = w * v;
-    const double uu = u * u;
-    const double uv = u * v;
-    const double vv = v * v;
-    const double wuu = w * uu;
-    const double wuv = w * uv;
-    const double wvv = w * vv;
+DEBURR_MULTIVERSION
+double normal_equations(const Columns& c, std::array<Row, terms>& a, Row& b) {
+  std::array<Lanes, 15> m{};
+  std::array<Lanes, terms> r{};
+  for (std::size_t k = 0; k < c.padded(); k += lane_count) {
+    const Lanes u = load(c.u, k);
+    const Lanes v = load(c.v, k);
+    const Lanes h = load(c.h, k);
+    const Lanes w = load(c.weight, k);
+    const Lanes wu = w * u;
+    const Lanes wv = w * v;
+    const Lanes uu = u * u;
+    const Lanes uv = u * v;
+    const Lanes vv = v * v;
+    const Lanes wuu = w * uu;
+    const Lanes wuv = w * uv;
+    const Lanes wvv = w * vv;
     m[0] += w;
     m[1] += wu;
     m[2] += wv;
@@ -49,20 +101,46 @@ double normal_equations(std::span<const Vec3> points, std::span<const double> we
     m[12] += wuu * vv;
     m[13] += wuv * vv;
     m[14] += wvv * vv;
-    b[0] += w * h;
-    b[1] += wu * h;
-    b[2] += wv * h;
-    b[3] += wuu * h;
-    b[4] += wuv * h;
-    b[5] += wvv * h;
+    r[0] += w * h;
+    r[1] += wu * h;
+    r[2] += wv * h;
+    r[3] += wuu * h;
+    r[4] += wuv * h;
+    r[5] += wvv * h;
   }
-  a = {{{m[0]},
-        {m[1], m[3]},
-        {m[2], m[4], m[5]},
-        {m[3], m[6], m[7], m[10]},
-        {m[4], m[7], m[8], m[11], m[12]},
-        {m[5], m[8], m[9], m[12], m[13], m[14]}}};
-  return m[0];
+  std::array<double, 15> s{};
+  for (std::size_t k = 0; k < s.size(); ++k) s[k] = sum(m[k]);
+  for (std::size_t k = 0; k < terms; ++k) b[k] = sum(r[k]);
+  a = {{{s[0]},
+        {s[1], s[3]},
+        {s[2], s[4], s[5]},
+        {s[3], s[6], s[7], s[10]},
+        {s[4], s[7], s[8], s[11], s[12]},
+        {s[5], s[8], s[9], s[12], s[13], s[14]}}};
+  return s[0];
+}
+
+DEBURR_MULTIVERSION
+void set_residuals(Columns& c, const Row& height) {
+  for (std::size_t k = 0; k < c.padded(); k += lane_count) {
+    const Lanes u = load(c.u, k);
+    const Lanes v = load(c.v, k);
+    const Lanes r =
+        load(c.h, k) - (height[0] + height[1] * u + height[2] * v + height[3] * (u * u) +
+                        height[4] * (u * v) + height[5] * (v * v));
+    store(r < 0.0 ? -r : r, c.residual, k);
+  }
+}
+
+/// Weights of the first n by their residuals.
+DEBURR_MULTIVERSION
+void set_weights(Columns& c, std::size_t n, double reach) {
+  for (std::size_t k = 0; k < c.padded(); k += lane_count) {
+    const Lanes share = load(c.residual, k) / reach;
+    const Lanes left = 1.0 - share * share;
+    store(share < 1.0 ? left * left : Lanes{}, c.weight, k);
+  }
+  for (std::size_t k = n; k < c.padded(); ++k) c.weight[k] = 0;
 }
 
 /// Solves the symmetric positive definite system a x = b, whose lower half is given, by Cholesky.
@@ -96,13 +174,9 @@ double value(const Row& height, const Row& at) {
 
 Patch fit_patch(std::span<const Vec3> points, const Vec3& around) {
   const std::size_t n = points.size();
-  thread_local std::vector<Vec3> local;
-  thread_local std::vector<double> weight;
-  thread_local std::vector<double> residual;
+  thread_local Columns local;
   thread_local std::vector<double> sorted;
   local.resize(n);
-  residual.resize(n);
-  weight.assign(n, 1);
 
   Patch patch;
   Vec3 sum;
@@ -115,42 +189,36 @@ Patch fit_patch(std::span<const Vec3> points, const Vec3& around) {
   patch.center = around + mean;
   patch.radius = std::sqrt(farthest);
   const double unit = 1 / patch.radius;
-  Sym3 covariance;
   for (std::size_t i = 0; i < n; ++i) {
-    local[i] = unit * (points[i] - around - mean);
-    covariance.add_outer(1, local[i]);
+    const Vec3 p = unit * (points[i] - around - mean);
+    local.u[i] = p.x;
+    local.v[i] = p.y;
+    local.h[i] = p.z;
   }
-  const Spectrum s = spectrum(covariance);
+  const Spectrum s = spectrum(covariance_of(local));
   patch.u = s.vectors[0];
   patch.v = s.vectors[1];
   patch.normal = s.vectors[2];
   patch.flatness = s.values[1] > 0 ? std::sqrt(std::max(0.0, s.values[2]) / s.values[1]) : 0;
-  for (Vec3& p : local) p = {dot(p, patch.u), dot(p, patch.v), dot(p, patch.normal)};
+  turn(local, s);
 
   for (int round = 0; round < rounds; ++round) {
     std::array<Row, terms> a;
     Row b;
-    const double total = normal_equations(local, weight, a, b);
+    const double total = normal_equations(local, a, b);
     // Points along a line leave the curvature across it open: it is then 0.
     constexpr Row ridge{1e-9, 1e-6, 1e-6, 1e-3, 1e-3, 1e-3};
     for (std::size_t p = 0; p < terms; ++p) a[p][p] += ridge[p] * total;
     solve(a, b);
     patch.height = b;
     if (round + 1 == rounds) break;
-    for (std::size_t i = 0; i < n; ++i) {
-      residual[i] = std::abs(local[i].z - value(b, monomials(local[i].x, local[i].y)));
-    }
+    set_residuals(local, b);
     // The 80th percentile, since half of the points may be without noise.
-    sorted = residual;
+    sorted.assign(local.residual.begin(), local.residual.begin() + static_cast<std::ptrdiff_t>(n));
     const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(4 * n / 5);
     std::nth_element(sorted.begin(), at, sorted.end());
     patch.spread = patch.radius * *at / 1.2816;
-    const double reach = std::max(3 / 1.2816 * *at, 1e-6);
-    for (std::size_t i = 0; i < n; ++i) {
-      const double share = residual[i] / reach;
-      const double left = 1 - share * share;
-      weight[i] = share < 1 ? left * left : 0;
-    }
+    set_weights(local, n, std::max(3 / 1.2816 * *at, 1e-6));
   }
   return patch;
 }

@@ -14,12 +14,16 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Knots in a cell, at most.
-constexpr std::size_t cell_knots = 10;
+/// Knots in a cell, at most: as a share of those in a patch, which must reach over it.
+constexpr double cell_share = 0.36;
+constexpr double fewest_in_cell = 10;
 
-/// Cells around one whose noise has a say in its. With fewer, chance in it alone gives the scores a
-/// long tail.
-constexpr std::size_t cells_around = 24;
+/// Cells around a place whose noise has a say in that there. With fewer, chance in it alone gives
+/// the scores a long tail.
+constexpr std::size_t cells_around = 25;
+
+/// Cells next to each other that share it, at most.
+constexpr std::size_t cells_together = 4;
 
 /// Least noise, in radii of a patch: patches follow edges no better than that.
 constexpr double least_noise = 0.08;
@@ -51,18 +55,21 @@ bool is_past_the_end(const Patch& patch, const Vec3& foot, std::span<const Vec3>
 
 }  // namespace
 
-RoughSurface::RoughSurface(Points points, const KdTree& tree, const Execution& execution)
-    : points_(points), tree_(tree), knots_(points, tree, execution) {
+RoughSurface::RoughSurface(const SomePoints& points, const Execution& execution)
+    : some_(points), points_(points.points()), knots_(points, execution) {
   fit_cells(sub_execution(execution, "", 0, 0.9));
   smooth_noise(sub_execution(execution, "", 0.9, 1));
 }
 
 void RoughSurface::fit_cells(const Execution& execution) {
-  const std::span<const std::uint32_t> order = tree_.order();
-  const std::vector<std::uint32_t> begins = halves(order.size(), cell_knots * knots_.group());
+  const std::span<const std::uint32_t> order = some_.order();
+  const auto cell_knots = static_cast<std::size_t>(
+      std::max(fewest_in_cell, cell_share * static_cast<double>(knots_.per_patch())));
+  const std::vector<std::uint32_t> begins = some_.groups(cell_knots * knots_.group());
   cells_.resize(begins.size() - 1);
   centers_.resize(cells_.size());
   cell_.resize(points_.size());
+  distance_.resize(points_.size());
   parallel_for(cells_.size(), execution, [&](std::size_t c) {
     Cell& cell = cells_[c];
     const auto members = order.subspan(begins[c], begins[c + 1] - begins[c]);
@@ -72,8 +79,10 @@ void RoughSurface::fit_cells(const Execution& execution) {
     cell.patch = knots_.patch_at(middle, no_point, near);
     distances.clear();
     for (const std::uint32_t i : members) {
+      const Foot foot = foot_on(cell.patch, points_[i]);
       cell_[i] = static_cast<std::uint32_t>(c);
-      distances.push_back(foot_on(cell.patch, points_[i]).distance);
+      distance_[i] = foot.aside > cell.patch.radius ? infinity : foot.distance;
+      distances.push_back(foot.distance);
     }
     cell.noise = spread(distances);
     centers_[c] = foot_on(cell.patch, middle).at;
@@ -83,38 +92,55 @@ void RoughSurface::fit_cells(const Execution& execution) {
 
 /// The median over each cell and those around it, which a few odd cells do not sway.
 void RoughSurface::smooth_noise(const Execution& execution) {
-  std::vector<double> smooth(cells_.size());
-  parallel_for(cells_.size(), execution, [&](std::size_t c) {
+  const std::vector<std::uint32_t> begins = halves(cells_.size(), cells_together);
+  std::vector<double> smooth(begins.size() - 1);
+  parallel_for(smooth.size(), execution, [&](std::size_t g) {
     thread_local std::vector<Found> found;
     thread_local std::vector<double> near;
-    center_tree_->nearest(static_cast<std::uint32_t>(c), cells_around, infinity, found);
-    near.assign(1, cells_[c].noise);
+    center_tree_->nearest_to(centers_[begins[g]], cells_around, infinity, found);
+    near.clear();
     for (const Found& f : found) near.push_back(cells_[f.index].noise);
     const auto half = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
     std::nth_element(near.begin(), half, near.end());
-    smooth[c] = *half;
+    smooth[g] = *half;
   });
-  for (std::size_t c = 0; c < cells_.size(); ++c) cells_[c].noise = smooth[c];
+  for (std::size_t g = 0; g < smooth.size(); ++g) {
+    for (std::uint32_t c = begins[g]; c < begins[g + 1]; ++c) cells_[c].noise = smooth[g];
+  }
+}
+
+std::uint32_t RoughSurface::nearest_cell(const Vec3& at, double& squared_distance) const {
+  const Found nearest = center_tree_->nearest_to(at);
+  squared_distance = nearest.squared_distance;
+  return nearest.index;
 }
 
 double RoughSurface::rough_score(std::uint32_t point) const {
-  const Cell& cell = cells_[cell_[point]];
-  const Foot foot = foot_on(cell.patch, points_[point]);
-  if (foot.aside > cell.patch.radius) return infinity;
-  return foot.distance / std::max(cell.noise, least_noise * cell.patch.radius);
+  std::uint32_t c = cell_[point];
+  double distance = distance_[point];
+  // The corners of its cell may be beyond the patch, and nearer to another.
+  if (distance == infinity) {
+    double unused = 0;
+    c = nearest_cell(points_[point], unused);
+    const Foot foot = foot_on(cells_[c].patch, points_[point]);
+    if (foot.aside <= cells_[c].patch.radius) distance = foot.distance;
+  }
+  const Cell& cell = cells_[c];
+  return distance / std::max({cell.noise, least_noise * cell.patch.radius, cell.patch.spread});
 }
 
 double RoughSurface::fine_score(const Vec3& at, std::uint32_t self) const {
-  thread_local std::vector<Found> found;
   thread_local std::vector<Vec3> near;
-  center_tree_->nearest_to(at, 1, infinity, found);
-  const std::uint32_t nearest = found[0].index;
+  // Not always its own cell, whose patch may be far off its corners.
+  double squared_distance = 0;
+  const std::uint32_t nearest = nearest_cell(at, squared_distance);
   const Cell& cell = cells_[nearest];
   const double far = far_in_radii * cell.patch.radius;
-  if (found[0].squared_distance > far * far) return infinity;
+  if (squared_distance > far * far) return infinity;
   const Foot rough = foot_on(cell.patch, at);
-  // Far outside a patch its curvature means nothing.
-  const Vec3 around = rough.aside <= cell.patch.radius ? rough.at : centers_[nearest];
+  // Far outside a patch its curvature means nothing. One of the points has others around it.
+  const Vec3& outside = self == no_point ? centers_[nearest] : at;
+  const Vec3 around = rough.aside <= cell.patch.radius ? rough.at : outside;
   const Patch patch = knots_.patch_at(around, self, near);
   const Foot foot = foot_on(patch, at);
   if (is_past_the_end(patch, foot.at, near)) return infinity;

@@ -12,6 +12,7 @@
 #include "kd_tree.hpp"
 #include "outlier_knots.hpp"
 #include "outlier_patch.hpp"
+#include "some_points.hpp"
 
 namespace deburr {
 
@@ -19,7 +20,7 @@ namespace deburr {
 class RoughSurface {
  public:
   /// As Knots.
-  RoughSurface(Points points, const KdTree& tree, const Execution& execution);
+  RoughSurface(const SomePoints& points, const Execution& execution);
 
   /// Distance of one of the points from the patch of its cell, over the noise there: cheap.
   /// Infinite where the patch is too far away to tell.
@@ -37,12 +38,15 @@ class RoughSurface {
     double noise = 0;  ///< of the points in the cell, then of those around it too
   };
   void fit_cells(const Execution& execution);
+  /// The cell with the nearest centre.
+  [[nodiscard]] std::uint32_t nearest_cell(const Vec3& at, double& squared_distance) const;
   void smooth_noise(const Execution& execution);
 
+  const SomePoints& some_;
   Points points_;
-  const KdTree& tree_;
   Knots knots_;
   std::vector<std::uint32_t> cell_;  ///< of each point
+  std::vector<double> distance_;     ///< of each point from the patch of its cell, or infinity
   std::vector<Cell> cells_;
   std::unique_ptr<KdTree> center_tree_;
   std::vector<Vec3> centers_;

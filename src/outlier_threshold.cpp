@@ -36,10 +36,15 @@ constexpr double largest_factor = 2;
 constexpr double lowest = 2;
 constexpr double highest = 4;
 
+/// Scores below this are only counted: no quantile that low matters.
+constexpr double uncounted = 1;
+
 /// Scores in ascending order.
 class Scores {
  public:
   explicit Scores(std::vector<double> scores) : sorted_(std::move(scores)) {
+    const auto low = std::erase_if(sorted_, [](double score) { return score < uncounted; });
+    low_ = static_cast<double>(low);
     std::sort(sorted_.begin(), sorted_.end());
     set_factor(1);
     // What counts as outside depends on the factor, and the other way round.
@@ -48,7 +53,7 @@ class Scores {
 
   [[nodiscard]] double factor() const { return factor_; }
   [[nodiscard]] double above(double score) const {
-    return static_cast<double>(sorted_.size() - below(score));
+    return low_ + static_cast<double>(sorted_.size()) - below(score);
   }
   /// Points of the surface that have more than a score by chance.
   [[nodiscard]] double inside_above(double score) const {
@@ -80,14 +85,15 @@ class Scores {
     }
     return high;
   }
-  [[nodiscard]] std::size_t below(double score) const {
-    return static_cast<std::size_t>(std::upper_bound(sorted_.begin(), sorted_.end(), score) -
-                                    sorted_.begin());
+  [[nodiscard]] double below(double score) const {
+    return low_ + static_cast<double>(std::upper_bound(sorted_.begin(), sorted_.end(), score) -
+                                      sorted_.begin());
   }
   [[nodiscard]] double inside_below(double score) const {
-    return static_cast<double>(below(score)) - outside_below(score);
+    return below(score) - outside_below(score);
   }
 
+  double low_ = 0;  ///< number of scores that are only counted
   std::vector<double> sorted_;
   double factor_ = 1;
   double outside_ = 0;  ///< outliers per unit of the score

@@ -8,8 +8,10 @@
 #include "outlier_graph.hpp"
 #include "outlier_surface.hpp"
 #include "outlier_threshold.hpp"
+#include "outliers_of_distinct.hpp"
 #include "parallel.hpp"
 #include "require.hpp"
+#include "some_points.hpp"
 #include "working_set.hpp"
 
 namespace deburr {
@@ -29,44 +31,47 @@ std::vector<double> scores(Points points, const Execution& execution) {
   const std::size_t small = std::min(most_floaters, points.size() / small_share);
   const std::vector<Standing> standing =
       join_points(points, tree, small, sub_execution(execution, "outliers", 0.05, 0.5));
-  std::vector<Vec3> support;
-  std::vector<std::uint32_t> place(points.size(), no_point);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (standing[i] != Standing::Surface) continue;
-    place[i] = static_cast<std::uint32_t>(support.size());
-    support.push_back(points[i]);
-  }
+  const SomePoints support(points, tree,
+                           [&](std::uint32_t i) { return standing[i] == Standing::Surface; });
   std::vector<double> scores(points.size());
-  if (support.size() < fewest_points) return scores;
+  if (support.points().size() < fewest_points) return scores;
 
-  // A tree of its own: the boxes of the other are stretched by what is off the surface.
-  const KdTree support_tree(support, execution);
-  const RoughSurface surface(support, support_tree, sub_execution(execution, "outliers", 0.5, 0.8));
+  const RoughSurface surface(support, sub_execution(execution, "outliers", 0.5, 0.8));
   parallel_for(points.size(), sub_execution(execution, "outliers", 0.8, 1), [&](std::size_t i) {
     if (standing[i] == Standing::Patch) return;
-    if (place[i] != no_point) scores[i] = surface.rough_score(place[i]);
-    if (place[i] != no_point && scores[i] <= sure) return;
-    scores[i] = surface.fine_score(points[i], place[i]);
+    const std::uint32_t place = support.place(static_cast<std::uint32_t>(i));
+    if (place != no_point) scores[i] = surface.rough_score(place);
+    if (place != no_point && scores[i] <= sure) return;
+    scores[i] = surface.fine_score(points[i], place);
   });
   return scores;
 }
 
 }  // namespace
 
+std::vector<std::uint8_t> find_outliers_of_distinct(Points points, const OutlierOptions& options,
+                                                    const Execution& execution) {
+  std::vector<std::uint8_t> outlier(points.size());
+  if (points.size() < fewest_points) return outlier;
+  const std::vector<double> score = scores(points, execution);
+  const double most = options.tolerance * score_threshold(score);
+  for (std::size_t i = 0; i < points.size(); ++i) outlier[i] = score[i] > most ? 1 : 0;
+  return outlier;
+}
+
 std::vector<std::uint8_t> find_outliers(Points points, const OutlierOptions& options,
                                         const Execution& execution) {
   require(options.tolerance >= 0.1 && options.tolerance <= 10, "outliers.tolerance", "in [0.1, 10]",
           options.tolerance);
   require(points.size() < no_point, "points", "fewer than 2^32 - 1", points.size());
-  std::vector<std::uint8_t> outlier(points.size());
   PointCloud cloud;
   cloud.points.assign(points.begin(), points.end());
   const WorkingSet set = make_working_set(cloud, {}, sub_execution(execution, "outliers", 0, 0.05));
-  if (set.points.size() < fewest_points) return outlier;
-  const std::vector<double> score = scores(set.points, execution);
-  const double most = options.tolerance * score_threshold(score);
+  const std::vector<std::uint8_t> of_set =
+      find_outliers_of_distinct(set.points, options, execution);
+  std::vector<std::uint8_t> outlier(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (set.slot[i] != WorkingSet::none) outlier[i] = score[set.slot[i]] > most ? 1 : 0;
+    if (set.slot[i] != WorkingSet::none) outlier[i] = of_set[set.slot[i]];
   }
   return outlier;
 }

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "box.hpp"
 #include "near_duplicates.hpp"
@@ -94,6 +96,15 @@ Vec3 WorkingSet::moved(const Vec3& in_cloud, const Vec3& from, const Vec3& to) c
 }
 
 double WorkingSet::length(double local) const { return std::scalbn(local, exponent); }
+
+WorkingSet set_of_distinct(std::vector<Vec3> points) {
+  WorkingSet set;
+  set.points = std::move(points);
+  set.slot.resize(set.points.size());
+  std::iota(set.slot.begin(), set.slot.end(), 0U);
+  set.sweep = set.slot;
+  return set;
+}
 
 WorkingSet make_working_set(const PointCloud& cloud, const WorkingSetOptions& options,
                             const Execution& execution) {

@@ -37,6 +37,9 @@ struct WorkingSet {
   [[nodiscard]] double length(double local) const;
 };
 
+/// Of points that are finite, all different and of a size near 1, as they are.
+WorkingSet set_of_distinct(std::vector<Vec3> points);
+
 WorkingSet make_working_set(const PointCloud& cloud, const WorkingSetOptions& options,
                             const Execution& execution);
 

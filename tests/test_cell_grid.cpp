@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "cell_grid.hpp"
 #include "deburr/neighborhoods.hpp"
@@ -29,6 +31,15 @@ void expect_exact(const std::vector<Vec3>& points, double radius, std::size_t ma
     }
     std::sort(expected.begin(), expected.end());
     ASSERT_EQ(counts[slot], expected.size());
+    std::array<Found, 6> six;
+    grid->nearest(slot, slot + 1, six.size(), six.data());
+    for (std::size_t k = 0; k < six.size(); ++k) {
+      const bool there = k < expected.size();
+      ASSERT_EQ(std::isfinite(six[k].squared_distance), there);
+      if (there) {
+        ASSERT_EQ(six[k].index, expected[k].index) << k;
+      }
+    }
     if (max_count > 0) counts[slot] = std::min(counts[slot], max_count);
     std::uint32_t* const to = indices.data();
     grid->find(slot, slot + 1, {&counts[slot], 1}, {&to, 1});
@@ -78,6 +89,34 @@ TEST(CellGrid, KeepsExactAtLargeOffsetsAndAnyScale) {
     for (Vec3& p : points) p = scale * p;
     expect_exact(points, scale);
   }
+}
+
+TEST(CellGrid, FindsWhatIsNearAnyPlace) {
+  const std::vector<Vec3> points = sheet(800, 0.02, 15);
+  constexpr double radius = 0.12;
+  const auto grid = CellGrid::make(points, radius, 0, {});
+  ASSERT_TRUE(grid.has_value());
+  std::vector<Found> found;
+  std::size_t some = 0;
+  for (const Vec3& p : random_points(300, 16)) {
+    const Vec3 at{1.5 * p.x - 0.25, 1.5 * p.y - 0.25, 0.6 * p.z - 0.3};  // also beside the grid
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      if (squared_norm(points[i] - at) <= radius * radius) expected.push_back(i);
+    }
+    grid->within_of(at, found);
+    std::vector<std::uint32_t> indices;
+    for (const Found& f : found) {
+      EXPECT_EQ(f.squared_distance, squared_norm(points[f.index] - at));
+      indices.push_back(f.index);
+    }
+    std::ranges::sort(indices);
+    ASSERT_EQ(indices, expected);
+    some += expected.empty() ? 0U : 1U;
+  }
+  EXPECT_GT(some, 50);
+  grid->within_of({1e6, -1e6, 1e6}, found);
+  EXPECT_TRUE(found.empty());
 }
 
 TEST(CellGrid, LeavesToTheTreeWhatWouldNotPay) {

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "deburr/neighborhoods.hpp"
 #include "deburr/noise.hpp"
+#include "local_noise.hpp"
 #include "support/compare.hpp"
 #include "support/shapes.hpp"
 
@@ -77,6 +79,34 @@ TEST(LocalNoise, HasAValueForEveryPoint) {
   EXPECT_EQ(noise.sigma[7], noise.overall.sigma);
   EXPECT_EQ(noise.spacing[7], noise.overall.spacing);
   EXPECT_EQ(noise.sigma[9], noise.sigma[8]);
+}
+
+TEST(LocalNoiseField, SaysAtPlacesWhatItSaysAtPoints) {
+  LocalNoiseField field(square_with_growing_noise(0.3), {});
+  std::vector<double> places = field.sigma_at_places({});
+  std::vector<double> points = field.at_points({}).sigma;
+  ASSERT_GT(places.size(), 500);
+  std::ranges::sort(places);
+  std::ranges::sort(points);
+  for (const double share : {0.1, 0.5, 0.9}) {
+    const auto at = [&](const std::vector<double>& values) {
+      return values[static_cast<std::size_t>(share * static_cast<double>(values.size()))];
+    };
+    EXPECT_NEAR(at(places) / at(points), 1, 0.1) << share;
+  }
+}
+
+TEST(LocalNoiseField, FindsTheMeanDistanceOfNeighbors) {
+  // All points are places of the sample, or some are.
+  for (const std::size_t n : {3000, 12000}) {
+    const std::vector<Vec3> points = cube(n, 8).points;
+    const double all = mean_neighbor_distance(points, find_neighbors(points, {.max_count = 12}));
+    EXPECT_NEAR(LocalNoiseField(points, {}).neighbor_distance(12, {}) / all, 1,
+                n == 3000 ? 1e-12 : 0.02);
+  }
+  EXPECT_EQ(LocalNoiseField(std::vector<Vec3>{{1, 2, 3}}, {}).neighbor_distance(12, {}), 0);
+  EXPECT_EQ(LocalNoiseField(std::vector<Vec3>{{1, 2, 3}, {1, 2, 5}}, {}).neighbor_distance(12, {}),
+            2);
 }
 
 TEST(LocalNoise, IsZeroForFewPoints) {

@@ -7,6 +7,7 @@
 
 #include "deburr/normals.hpp"
 #include "deburr/orientation.hpp"
+#include "spatial_order.hpp"
 #include "support/compare.hpp"
 #include "support/shapes.hpp"
 
@@ -94,6 +95,19 @@ TEST(OrientNormals, DoesNotDependOnTheSigns) {
   for (unsigned seed = 5; seed < 10; ++seed) {
     EXPECT_EQ(orient_normals(points, with_random_signs(normals, seed), near), oriented);
   }
+}
+
+// In spatial order or in none, which take different ways.
+TEST(OrientNormals, DoesNotDependOnTheOrder) {
+  const Sampled truth = sphere(2000, 11);
+  const Neighborhoods near = find_neighbors(truth.points, {.max_count = 8});
+  const std::vector<Vec3> normals = random_directions(2000, 12);
+  const std::vector<Vec3> oriented = orient_normals(truth.points, normals, near);
+  const std::vector<std::uint32_t> order = spatial_order(truth.points, {});
+  const std::vector<Vec3> points = gather<Vec3>(truth.points, order);
+  const std::vector<Vec3> along = orient_normals(points, gather<Vec3>(normals, order),
+                                                 find_neighbors(points, {.max_count = 8}));
+  EXPECT_EQ(along, gather<Vec3>(oriented, order));
 }
 
 TEST(OrientNormals, OrientsEachPieceByItsOwnRoot) {

@@ -103,7 +103,8 @@ TEST(Knots, AreThinnedWhereTheNoiseIsThick) {
   for (const double noise : {0.0, 0.5, 5.0}) {
     const std::vector<Vec3> points = with_noise(square, noise * spacing, 13);
     const KdTree tree(points);
-    const Knots knots(points, tree, {});
+    const SomePoints all(points, tree);
+    const Knots knots(all, {});
     EXPECT_EQ(knots.group() == 1, noise < 1) << noise;
     std::vector<Vec3> near;
     const Patch patch = knots.patch_at({0.5, 0.5, 0}, no_point, near);

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "deburr/vec3.hpp"
+#include "kd_tree.hpp"
+
+namespace deburr {
+
+/// Some of the points of a k-d tree, to search among without a tree of their own.
+class SomePoints {
+ public:
+  /// Stands for a point that is left out.
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  /// All of them.
+  SomePoints(Points points, const KdTree& tree) : points_(points), tree_(tree) {}
+  /// @param kept  whether each point of the tree is one of them; as long as there are points
+  template <typename Kept>
+  SomePoints(Points points, const KdTree& tree, const Kept& kept);
+
+  SomePoints(const SomePoints&) = delete;  // points_ may be its own
+  SomePoints& operator=(const SomePoints&) = delete;
+
+  /// In the order of the tree's points, by which they are known from here on.
+  [[nodiscard]] Points points() const { return points_; }
+  /// What the point of the tree is known by, or none.
+  [[nodiscard]] std::uint32_t place(std::uint32_t point) const {
+    return places_.empty() ? point : places_[point];
+  }
+  /// They along the leaves of the tree.
+  [[nodiscard]] std::span<const std::uint32_t> order() const {
+    return places_.empty() ? std::span(tree_.order()) : std::span(order_);
+  }
+  /// Begins of groups of at most `most` in the order, those of nodes of the tree, none empty; ends
+  /// with the number of points.
+  [[nodiscard]] std::vector<std::uint32_t> groups(std::size_t most) const;
+  /// The `count` nearest to a finite place, as KdTree::nearest_to().
+  void nearest_to(const Vec3& at, std::size_t count, std::vector<Found>& found) const;
+
+ private:
+  Points points_;
+  const KdTree& tree_;
+  std::vector<Vec3> own_;
+  std::vector<std::uint32_t> places_;  ///< empty where all are there
+  std::vector<std::uint32_t> order_;
+};
+
+/// Begins of the ranges that halving [0, n) gives until none is larger than `most`: those of the
+/// nodes of a balanced tree over n points. Ends with n.
+[[nodiscard]] std::vector<std::uint32_t> halves(std::size_t n, std::size_t most);
+
+template <typename Kept>
+SomePoints::SomePoints(Points points, const KdTree& tree, const Kept& kept)
+    : points_(points), tree_(tree), places_(points.size(), none) {
+  std::uint32_t count = 0;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (kept(i)) places_[i] = count++;
+  }
+  if (count == points.size()) {
+    places_ = {};
+    return;
+  }
+  own_.reserve(count);
+  order_.reserve(count);
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (places_[i] != none) own_.push_back(points[i]);
+  }
+  for (const std::uint32_t i : tree.order()) {
+    if (places_[i] != none) order_.push_back(places_[i]);
+  }
+  points_ = own_;
+}
+
+}  // namespace deburr
