@@ -21,6 +21,8 @@ struct Bench {
   Sampled truth;
   std::vector<Vec3> measured;
   std::vector<Sheet> sheets;
+  std::size_t step = 1;  ///< one of so many nodes is of the even choice
+  bool by_edge = false;  ///< whether the others have sheets as well, and all points look at them
 
   explicit Bench(unsigned seed = 1) {
     Random random(seed);
@@ -46,7 +48,17 @@ struct Bench {
     result.points = truth.points;
     result.normals = truth.normals;
     result.labels.assign(size(), Feature::Surface);
-    return deburr::land(input, levels, sheets, result, {.threads = threads});
+    NodeSheets fitted;
+    for (std::uint32_t i = 0; i < sheets.size(); ++i) {
+      if (!sheets[i].valid) continue;
+      if (i % step == 0) {
+        fitted.even.push_back({i, sheets[i]});
+      } else if (by_edge) {
+        fitted.further.push_back({i, sheets[i]});
+      }
+    }
+    const std::vector<std::uint8_t> all(by_edge ? size() : 0, 1);
+    return deburr::land(input, levels, fitted, {step, all}, result, {.threads = threads});
   }
 };
 
@@ -140,6 +152,35 @@ TEST(Landing, LeavesPointsWithoutAFitWhereTheyWere) {
   EXPECT_EQ(result.normals, bench.truth.normals);
   EXPECT_EQ(shares.places, bench.truth.points);
   EXPECT_EQ(shares.trust, std::vector<double>(bench.size(), 1.0));
+}
+
+// Sheets of a few nodes are enough away from the edge; by it, points look at all.
+TEST(Landing, NeedsNoSheetOfEveryNode) {
+  for (const bool by_edge : {false, true}) {
+    Bench bench;
+    bench.step = 3;
+    bench.by_edge = by_edge;
+    AutomaticResult result;
+    const Shares shares = bench.land(result);
+    for (std::size_t i = 0; i < bench.size(); ++i) {
+      EXPECT_NEAR(off_faces(result.points[i]), 0, 1e-9) << i;
+    }
+    // Those that may be of both faces are told, and their shares in the other too.
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < bench.size(); ++i) {
+      const double depth = -std::min(bench.truth.points[i].x, bench.truth.points[i].z);
+      if (depth < sigma) {
+        EXPECT_EQ(shares.by_edge[i], 1) << i;
+        ++found;
+      } else if (depth > 6) {
+        EXPECT_EQ(shares.by_edge[i], 0) << i;
+      }
+    }
+    EXPECT_GT(found, 3U);
+    for (std::size_t k = bench.size(); k < shares.by_edge.size(); ++k) {
+      EXPECT_EQ(shares.by_edge[k], 1);
+    }
+  }
 }
 
 TEST(Landing, HasTheSameBitsForAnyThreads) {
