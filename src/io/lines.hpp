@@ -10,14 +10,16 @@ namespace deburr {
 
 inline constexpr std::string_view blanks = " \t\r\v\f";
 
+/// As blanks, which are neighbours in ASCII but for the space and the line end among them.
 inline constexpr bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+  return c == ' ' || ('\t' <= c && c <= '\r' && c != '\n');
 }
 
-inline std::string_view trim(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+// By hand: find_first_not_of() searches in its set with a call for every character.
+inline constexpr std::string_view trim(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
 }
 
 /// Takes the next run of non-blank characters off the front of `rest`; empty at its end.

@@ -31,7 +31,7 @@ class TextRow {
   std::string_view word() { return next_token(rest_); }
 
   [[nodiscard]] bool at_end() const {
-    return rest_.find_first_not_of(blanks) == std::string_view::npos;
+    return trim(rest_).empty();
   }
 
   /// @param what  is to be read, for the message
