@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <optional>
 #include <random>
+#include <string>
+#include <string_view>
 
 #include "io/lzf.hpp"
 #include "support/broken_files.hpp"
@@ -178,6 +181,29 @@ TEST(Pcd, NamesWhatIsWrong) {
               HasSubstr("13 bytes are announced, 1 points have 12"));
 }
 
+/// What comes out, taken in pieces; nothing if the data are damaged or have another size.
+std::optional<std::string> unpacked(std::string_view packed, std::size_t size) {
+  LzfUnpacker unpacker(packed);
+  std::string data(size, '\0');
+  for (std::size_t at = 0; at < size;) {
+    const std::size_t count = std::min<std::size_t>(size - at, 1 + at % 7000);
+    if (!unpacker.read(data.data() + at, count)) return std::nullopt;
+    at += count;
+  }
+  if (!unpacker.at_end()) return std::nullopt;
+  return data;
+}
+
+std::string packed_from(const std::string& data, std::size_t pieces = 1) {
+  std::string packed;
+  for (std::size_t k = 0; k < pieces; ++k) {
+    const std::size_t begin = data.size() * k / pieces;
+    lzf_append(packed,
+               std::string_view(data).substr(begin, data.size() * (k + 1) / pieces - begin));
+  }
+  return packed;
+}
+
 TEST(Lzf, UnpacksWhatItPacks) {
   std::mt19937 random(1);
   for (int run = 0; run < 300; ++run) {
@@ -185,25 +211,38 @@ TEST(Lzf, UnpacksWhatItPacks) {
     const unsigned variety = 1 + random() % 256;
     for (char& c : data) c = static_cast<char>(random() % variety);
     if (run % 3 == 0) data += data + data;
-    const std::string packed = lzf_pack(data);
+    const std::string packed = packed_from(data);
     EXPECT_LE(packed.size(), data.size() + data.size() / 32 + 1);
-    EXPECT_EQ(lzf_unpack(packed, data.size()), data);
-    EXPECT_EQ(lzf_unpack(packed, data.size() + 1), std::nullopt);
-    EXPECT_TRUE(data.empty() || !lzf_unpack(packed, data.size() - 1));
+    EXPECT_EQ(unpacked(packed, data.size()), data);
+    EXPECT_EQ(unpacked(packed, data.size() + 1), std::nullopt);
+    EXPECT_TRUE(data.empty() || !unpacked(packed, data.size() - 1));
+    EXPECT_EQ(unpacked(packed_from(data, 3), data.size()), data);
   }
-  EXPECT_LT(lzf_pack(std::string(100000, 'a')).size(), 2000U);
+  EXPECT_LT(packed_from(std::string(100000, 'a')).size(), 2000U);
+  // Farther than the window of the unpacker, with copies of every distance.
+  std::string large;
+  for (int run = 0; large.size() < 400000; ++run) {
+    const std::size_t length = 1 + random() % 300;
+    const std::size_t back = 1 + random() % 9000;
+    for (std::size_t k = 0; k < length; ++k) {
+      const bool copied = run % 3 != 0 && back <= large.size();
+      large += copied ? large[large.size() - back] : static_cast<char>(random());
+    }
+  }
+  EXPECT_EQ(unpacked(packed_from(large), large.size()), large);
+  EXPECT_LT(packed_from(large).size(), large.size() / 2);
   // A literal, then a copy that overlaps itself: from the description of the format.
-  EXPECT_EQ(lzf_unpack(std::string("\x00"
-                                   "a"
-                                   "\x80\x00",
-                                   4),
-                       7),
+  EXPECT_EQ(unpacked(std::string("\x00"
+                                 "a"
+                                 "\x80\x00",
+                                 4),
+                     7),
             "aaaaaaa");
-  EXPECT_EQ(lzf_unpack(std::string("\x00"
-                                   "a"
-                                   "\xe0\x01\x00",
-                                   5),
-                       11),
+  EXPECT_EQ(unpacked(std::string("\x00"
+                                 "a"
+                                 "\xe0\x01\x00",
+                                 5),
+                     11),
             "aaaaaaaaaaa");
 }
 

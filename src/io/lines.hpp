@@ -11,9 +11,7 @@ namespace deburr {
 inline constexpr std::string_view blanks = " \t\r\v\f";
 
 /// As blanks, which are neighbours in ASCII but for the space and the line end among them.
-inline constexpr bool is_blank(char c) {
-  return c == ' ' || ('\t' <= c && c <= '\r' && c != '\n');
-}
+inline constexpr bool is_blank(char c) { return c == ' ' || ('\t' <= c && c <= '\r' && c != '\n'); }
 
 // By hand: find_first_not_of() searches in its set with a call for every character.
 inline constexpr std::string_view trim(std::string_view text) {
