@@ -29,6 +29,17 @@ inline std::string_view next_token(std::string_view& rest) {
   return token;
 }
 
+/// Number of lines, nearly: for those that no line end closes, or that end in several ways, it may
+/// be too small.
+inline std::size_t count_lines(std::string_view text) {
+  const char end = text.find('\n') != std::string_view::npos ? '\n' : '\r';
+  std::size_t count = 1;
+  for (std::size_t at = text.find(end); at != std::string_view::npos; at = text.find(end, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
 /// Goes through the lines of a text, which end with "\n" or "\r\n", and with "\r" alone where its
 /// first line does.
 class Lines {
