@@ -22,10 +22,11 @@ inline constexpr std::string_view trim(std::string_view text) {
 
 /// Takes the next run of non-blank characters off the front of `rest`; empty at its end.
 inline std::string_view next_token(std::string_view& rest) {
-  const auto* const begin = std::find_if_not(rest.begin(), rest.end(), is_blank);
-  const auto* const end = std::find_if(begin, rest.end(), is_blank);
-  const std::string_view token(begin, end);
-  rest = std::string_view(end, rest.end());
+  while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
+  std::size_t size = 0;
+  while (size < rest.size() && !is_blank(rest[size])) ++size;
+  const std::string_view token = rest.substr(0, size);
+  rest.remove_prefix(size);
   return token;
 }
 
