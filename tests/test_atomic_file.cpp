@@ -169,16 +169,39 @@ TEST(AtomicFile, SaysWhyItCannotWrite) {
   EXPECT_THAT(error_of_opening(dir / "none/a"), HasSubstr((dir / "none/a").string()));
 }
 
+/// Root may write everywhere: then the test goes on as somebody else.
+class NotRoot {
+ public:
+  NotRoot() : was_root_(::geteuid() == 0) {
+    if (was_root_) EXPECT_EQ(::setresuid(nobody, nobody, 0), 0);
+  }
+  ~NotRoot() {
+    if (was_root_) EXPECT_EQ(::setresuid(0, 0, 0), 0);
+  }
+  NotRoot(const NotRoot&) = delete;
+  NotRoot& operator=(const NotRoot&) = delete;
+
+  static constexpr uid_t nobody = 65534;
+
+ private:
+  bool was_root_;
+};
+
 TEST(AtomicFile, RespectsProtection) {
-  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
   const TempDir dir;
   put(dir / "a", "old");
   fs::permissions(dir / "a", fs::perms{0444});
+  if (::geteuid() == 0) {
+    ASSERT_EQ(::chown((dir / "a").c_str(), NotRoot::nobody, NotRoot::nobody), 0);
+    ASSERT_EQ(::chown(dir.path().c_str(), NotRoot::nobody, NotRoot::nobody), 0);
+  }
+  const NotRoot not_root;
   EXPECT_THAT(error_of_opening(dir / "a"), HasSubstr("Permission denied"));
   fs::permissions(dir.path(), fs::perms{0555});
   EXPECT_THAT(error_of_opening(dir / "b"), HasSubstr("Permission denied"));
   fs::permissions(dir.path(), fs::perms{0755});
   EXPECT_EQ(get(dir / "a"), "old");
+  EXPECT_EQ(dir.count(), 1);
 }
 
 TEST(AtomicFile, WritesDevicesDirectly) {

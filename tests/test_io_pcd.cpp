@@ -109,6 +109,71 @@ TEST(Pcd, UnpacksColoursAndPacksThemAgain) {
   EXPECT_THAT(written_as(dir, alpha, "a.pcd"), testing::EndsWith("1 2 3 4278190081\n"));
 }
 
+// Also a list has a name that no colour may take.
+TEST(Pcd, LeavesPackedColoursAloneWhereTheirNamesAreTaken) {
+  const TempDir dir;
+  const std::string file =
+      "# .PCD\nFIELDS x y z rgb blue\nSIZE 4 4 4 4 1\nTYPE F F F U U\nCOUNT 1 1 1 1 2\nWIDTH 1\n"
+      "HEIGHT 1\nDATA ascii\n1 2 3 66051 4 5\n";
+  const PointCloud cloud = parsed(file);
+  EXPECT_THAT(field_names(cloud), ElementsAre("x", "y", "z", "rgb", "blue"));
+  EXPECT_THAT(values_of<std::uint32_t>(cloud, "rgb"), ElementsAre(66051));
+  expect_same(parsed(written_as(dir, cloud, "a.pcd")), cloud);
+}
+
+PointCloud colored(Values red, Values green, Values blue) {
+  PointCloud cloud;
+  cloud.points = {{1, 2, 3}, {4, 5, 6}};
+  cloud.attributes = {
+      {"red", std::move(red), {}}, {"green", std::move(green), {}}, {"blue", std::move(blue), {}}};
+  return cloud;
+}
+
+TEST(Pcd, PacksColoursOf16BitsBesideTheirFields) {
+  const TempDir dir;
+  using Words = std::vector<std::uint16_t>;
+  // 128 and 129 are on the two sides of half a step of 257.
+  const PointCloud cloud = colored(Words{65535, 128}, Words{257, 129}, Words{0, 65407});
+  std::vector<std::string> warnings;
+  const std::string file = written_as(dir, cloud, "a.pcd", &warnings);
+  EXPECT_THAT(warnings, IsEmpty());
+  EXPECT_THAT(file, HasSubstr("FIELDS x y z rgb red green blue\n"));
+  const PointCloud again = parsed(file);
+  expect_same(again.attributes, cloud.attributes);
+  EXPECT_EQ(written_as(dir, again, "b.pcd"), file);
+  // What other programs see.
+  std::string other = file;
+  other.replace(other.find(" red green blue"), 15, " r__ g____ b___");
+  const PointCloud seen = parsed(other);
+  EXPECT_THAT(values_of<std::uint8_t>(seen, "red"), ElementsAre(255, 0));
+  EXPECT_THAT(values_of<std::uint8_t>(seen, "green"), ElementsAre(1, 1));
+  EXPECT_THAT(values_of<std::uint8_t>(seen, "blue"), ElementsAre(0, 255));
+  // Changed by another program, they say something else.
+  PointCloud changed = again;
+  changed.layout.blocks.clear();
+  changed.attributes.insert(changed.attributes.begin(),
+                            {"rgb", std::vector<std::uint32_t>{1, 2}, {}});
+  changed.layout.fields.insert(changed.layout.fields.begin() + 3, {"rgb", ScalarType::UInt32});
+  expect_same(parsed(written_as(dir, changed, "c.pcd")).attributes, changed.attributes);
+}
+
+TEST(Pcd, PacksSmallIntegersOfAnyType) {
+  const TempDir dir;
+  const PointCloud cloud =
+      colored(std::vector<std::int64_t>{0, 255}, std::vector<std::uint16_t>{7, 8},
+              std::vector<std::int8_t>{1, 2});
+  const PointCloud again = parsed(written_as(dir, cloud, "a.pcd"));
+  EXPECT_THAT(values_of<std::uint8_t>(again, "red"), ElementsAre(0, 255));
+  EXPECT_THAT(values_of<std::uint8_t>(again, "green"), ElementsAre(7, 8));
+  // What is no colour stays as it is.
+  for (const std::int64_t other : {-1, 65536}) {
+    const PointCloud no_colors =
+        colored(std::vector<std::int64_t>{0, other}, std::vector<std::uint16_t>{7, 8},
+                std::vector<std::int8_t>{1, 2});
+    expect_same(parsed(written_as(dir, no_colors, "a.pcd")).attributes, no_colors.attributes);
+  }
+}
+
 TEST(Pcd, ReadsOldAndSparseHeaders) {
   EXPECT_EQ(parsed("VERSION .5\r\nCOLUMNS x y z\r\nSIZE 4 4 4\r\nTYPE F F F\r\nPOINTS 1\r\n"
                    "DATA ascii\r\n1 2 3\r\n")

@@ -27,8 +27,8 @@ PcdColumns::PcdColumns(const Source& source, const PcdHeader& header) : header_(
   const std::size_t n = header_.points();
   resize_large(cloud_.points, n);
   if (std::ranges::count(roles, 3) > 0) resize_large(cloud_.normals, n);
-  const bool colors_taken = std::ranges::any_of(names, [](const std::string& name) {
-    return name == "red" || name == "green" || name == "blue" || name == "alpha";
+  const bool colors_taken = std::ranges::any_of(header_.fields, [](const PcdField& field) {
+    return std::ranges::find(color_names, field.name) != color_names.end();
   });
   for (std::size_t k = 0; k < roles.size(); ++k) {
     const PcdField& field = header_.fields[k];

@@ -117,7 +117,7 @@ class SmallDisk {
 
 TEST_F(CliAtomic, AFullAndAReadOnlyDisk) {
   const SmallDisk disk("disk");
-  if (!disk.is_there()) GTEST_SKIP() << "no disk may be mounted here";
+  if (!disk.is_there()) GTEST_SKIP() << "NOT TESTED: no disk may be mounted here, which takes root";
   write_text("disk/out.ply", "precious");
   const Outcome full = run_program(big_run("disk/out.ply"));
   EXPECT_EQ(full.exit_code, 3);
