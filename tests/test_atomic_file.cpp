@@ -173,10 +173,10 @@ TEST(AtomicFile, SaysWhyItCannotWrite) {
 class NotRoot {
  public:
   NotRoot() : was_root_(::geteuid() == 0) {
-    if (was_root_) EXPECT_EQ(::setresuid(nobody, nobody, 0), 0);
+    EXPECT_TRUE(!was_root_ || ::setresuid(nobody, nobody, 0) == 0);
   }
   ~NotRoot() {
-    if (was_root_) EXPECT_EQ(::setresuid(0, 0, 0), 0);
+    EXPECT_TRUE(!was_root_ || ::setresuid(0, 0, 0) == 0);
   }
   NotRoot(const NotRoot&) = delete;
   NotRoot& operator=(const NotRoot&) = delete;

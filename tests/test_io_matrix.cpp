@@ -207,7 +207,8 @@ Left left_in(const TempDir& dir, const Kind& kind, const std::string& format) {
   for (const std::string& name : kind.names) {
     const Left left = left_of(name, cloud, again);
     worst = std::max(worst, left);
-    EXPECT_TRUE(left < rounded || are_named(warnings, name)) << name;
+    const bool with_all_faces = name == "quality" && are_named(warnings, "'face'");
+    EXPECT_TRUE(left < rounded || with_all_faces || are_named(warnings, name)) << name;
   }
   return worst;
 }
