@@ -96,7 +96,7 @@ std::string lower_extension(const std::filesystem::path& path) {
 PointCloud parse_cloud(const Source& source, std::string_view name) {
   const Format* const format = name.empty() ? nullptr : &known_format(name);
   Source content = source;
-  if (content.data.starts_with(utf8_mark)) content.data.remove_prefix(utf8_mark.size());
+  while (content.data.starts_with(utf8_mark)) content.data.remove_prefix(utf8_mark.size());
   if (content.data.empty()) source.fail("empty file");
   return (format != nullptr ? *format : find_format(content)).read(content);
 }
