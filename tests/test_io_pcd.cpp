@@ -296,6 +296,13 @@ TEST(Lzf, UnpacksWhatItPacks) {
   }
   EXPECT_EQ(unpacked(packed_from(large), large.size()), large);
   EXPECT_LT(packed_from(large).size(), large.size() / 2);
+  // All copies reach back as far as they can.
+  std::string period(8192, '\0');
+  for (char& c : period) c = static_cast<char>(random());
+  std::string periods;
+  for (int k = 0; k < 40; ++k) periods += period;
+  EXPECT_EQ(unpacked(packed_from(periods), periods.size()), periods);
+  EXPECT_LT(packed_from(periods).size(), periods.size() / 10);
   // A literal, then a copy that overlaps itself: from the description of the format.
   EXPECT_EQ(unpacked(std::string("\x00"
                                  "a"
