@@ -144,7 +144,7 @@ void lzf_append(std::string& packed, std::string_view data) {
     place = static_cast<std::uint32_t>(i + 1);
     if (back == 0 || back > farthest || three_at(begin + i - back) != three) {
       // Where nothing repeats for long, it is looked for less often.
-      i += 1 + (i - literals) / 64;
+      i += 1 + std::min<std::size_t>((i - literals) / 64, 7);
       continue;
     }
     const std::size_t length =
