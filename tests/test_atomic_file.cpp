@@ -175,9 +175,7 @@ class NotRoot {
   NotRoot() : was_root_(::geteuid() == 0) {
     EXPECT_TRUE(!was_root_ || ::setresuid(nobody, nobody, 0) == 0);
   }
-  ~NotRoot() {
-    EXPECT_TRUE(!was_root_ || ::setresuid(0, 0, 0) == 0);
-  }
+  ~NotRoot() { EXPECT_TRUE(!was_root_ || ::setresuid(0, 0, 0) == 0); }
   NotRoot(const NotRoot&) = delete;
   NotRoot& operator=(const NotRoot&) = delete;
 

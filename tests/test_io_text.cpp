@@ -115,7 +115,8 @@ TEST(Text, TakesAByteOrderMarkForNothing) {
     EXPECT_EQ(cloud.layout.encoding, parse_cloud({"plain", file, {}}).layout.encoding) << file;
   }
   EXPECT_EQ(error_of("\xef\xbb\xbf"), "empty file");
-  EXPECT_EQ(error_of("\xef\xbb\xbf\xfe\xff,x,y,z\n1,2,3,4\n"), "not a point cloud, but UTF-16 text");
+  EXPECT_EQ(error_of("\xef\xbb\xbf\xfe\xff,x,y,z\n1,2,3,4\n"),
+            "not a point cloud, but UTF-16 text");
 }
 
 TEST(Text, FindsTypesThatChangeOnTheWay) {

@@ -9,91 +9,12 @@
 #include "io/lines.hpp"
 #include "io/numbers.hpp"
 #include "io/text.hpp"
+#include "io/text_column.hpp"
 #include "io/text_shape.hpp"
 #include "io/text_split.hpp"
 
 namespace deburr {
 namespace {
-
-/// A column that is no coordinate, in the simplest type that holds all values so far.
-class TextColumn {
- public:
-  [[nodiscard]] ScalarType type() const {
-    if (!all_integers_) return all_numbers_ ? ScalarType::Float64 : ScalarType::Text;
-    // Integers too large for their type stay text, which loses nothing.
-    return all_fit_ ? ScalarType::Int64 : ScalarType::Text;
-  }
-  /// Whether values were read as another type before, so that all have to be read again.
-  [[nodiscard]] bool is_stale() const { return is_stale_; }
-  [[nodiscard]] bool all_numbers() const { return all_numbers_; }
-
-  /// Takes memory for so many values.
-  void reserve(std::size_t rows) { rows_ = rows; }
-
-  /// Adds the value of the next row.
-  void add(const TextField& field) {
-    if (is_stale_) return survey(field.text);
-    if (append(field)) return;
-    const bool is_first = count_ == 0;
-    survey(field.text);
-    is_stale_ = !is_first;
-    values_ = {};
-    if (is_first) (void)append(field);
-  }
-
-  /// Before all rows are added again.
-  void start_again() {
-    is_stale_ = false;
-    values_ = {};
-    count_ = 0;
-  }
-
-  [[nodiscard]] Values take() { return std::move(values_); }
-
- private:
-  /// Looks at what the type can still be.
-  void survey(std::string_view token) {
-    if (all_integers_) {
-      all_integers_ = is_integer(token);
-      if (all_integers_ && parse_number<std::int64_t>(token)) return;
-      all_fit_ = false;
-    }
-    if (all_numbers_) all_numbers_ = is_number(token);
-  }
-
-  /// False for a value that has not the type of the column.
-  bool append(const TextField& field) {
-    switch (type()) {
-      case ScalarType::Int64: {
-        const std::optional<std::int64_t> value = parse_number<std::int64_t>(field.text);
-        return value && is_integer(field.text) && push(*value);
-      }
-      case ScalarType::Float64: {
-        const std::optional<double> value = parse_number<double>(field.text);
-        return value && push(*value);
-      }
-      default:
-        // Text for its size alone may still become a number.
-        return (!all_numbers_ || is_integer(field.text)) && push(field.str());
-    }
-  }
-
-  template <typename T>
-  bool push(T value) {
-    if (count_ == 0) reserve_large(values_.emplace<std::vector<T>>(), rows_);
-    std::get<std::vector<T>>(values_).push_back(std::move(value));
-    ++count_;
-    return true;
-  }
-
-  Values values_;
-  std::size_t rows_ = 0;
-  std::size_t count_ = 0;
-  bool all_integers_ = true;  ///< in form
-  bool all_fit_ = true;       ///< the integers, into 64 bits
-  bool all_numbers_ = true;
-  bool is_stale_ = false;
-};
 
 class TextReader {
  public:
@@ -130,7 +51,7 @@ class TextReader {
     const std::size_t rows = std::min(count_lines(source_.data), most);
     reserve_large(cloud_.points, rows);
     if (std::ranges::count(roles_, 3) > 0) reserve_large(cloud_.normals, rows);
-    for (TextColumn& column : columns_) column.reserve(rows);
+    for (TextColumn& column : columns_) column.expect(rows);
   }
 
   /// Calls f() with the fields of each row in fields_.
@@ -224,9 +145,7 @@ class TextReader {
       const ScalarType type = roles_[k] == no_role ? columns_[k].type() : ScalarType::Float64;
       cloud_.layout.fields.push_back({shape_.names[k], type});
       if (roles_[k] != no_role) continue;
-      Values values = columns_[k].take();
-      if (cloud_.points.empty()) values = std::vector<std::int64_t>{};
-      cloud_.attributes.push_back({shape_.names[k], std::move(values), {}});
+      cloud_.attributes.push_back({shape_.names[k], columns_[k].take(), {}});
     }
     cloud_.layout.encoding = Encoding::Text;
     cloud_.layout.text = shape_.layout;
