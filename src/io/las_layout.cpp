@@ -38,10 +38,8 @@ void add_comments(FileLayout& layout, std::string_view text) {
 void name_las_columns(PointCloud& cloud, const std::vector<LasExtra>& extras,
                       const std::vector<int>& roles) {
   std::set<std::string> taken{"x", "y", "z"};
-  if (!cloud.normals.empty()) {
-    for (std::size_t k = 0; k < extras.size(); ++k) {
-      if (roles[k] != no_role) taken.insert(extras[k].name);
-    }
+  for (std::size_t k = 0; k < extras.size(); ++k) {
+    if (roles[k] != no_role) taken.insert(extras[k].name);
   }
   std::vector<Attribute> kept;
   const auto first_extra =
