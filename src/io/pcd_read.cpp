@@ -16,8 +16,8 @@
 namespace deburr {
 namespace {
 
-constexpr std::size_t block = 4096;             ///< points between two looks at the cancel callback
-constexpr std::size_t block_bytes = 64 * 1024;  ///< that are unpacked at once
+constexpr std::size_t block = 4096;  ///< points between two looks at the cancel callback
+constexpr std::size_t block_bytes = std::size_t{1} << 16;  ///< that are unpacked at once
 
 class PcdReader {
  public:

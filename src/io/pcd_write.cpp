@@ -19,8 +19,8 @@
 namespace deburr {
 namespace {
 
-constexpr std::size_t block = 4096;              ///< points that are written at once
-constexpr std::size_t block_bytes = 256 * 1024;  ///< that are packed at once
+constexpr std::size_t block = 4096;                        ///< points that are written at once
+constexpr std::size_t block_bytes = std::size_t{1} << 18;  ///< that are packed at once
 
 class PcdWriter {
  public:
