@@ -10,6 +10,7 @@ namespace deburr::cli {
 
 std::vector<ElementSize> element_sizes(const PointCloud& cloud) {
   std::vector<ElementSize> sizes;
+  sizes.reserve(cloud.layout.elements.size());
   for (const Element& e : cloud.layout.elements) sizes.emplace_back(e.name, e.size);
   return sizes;
 }
