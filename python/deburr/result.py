@@ -1,0 +1,218 @@
+# SPDX-FileCopyrightText: 2026 The deburr authors
+# SPDX-License-Identifier: Apache-2.0
+"""What denoise() found and did."""
+
+from __future__ import annotations
+
+import dataclasses
+import enum
+from collections.abc import Collection
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _html
+from ._arrays import Bytes, Floats, Mask, Points, vectors
+from .cloud import PointCloud
+
+if TYPE_CHECKING:
+    from ._foreign import Given
+
+#: What to_cloud() can add for every point.
+ADDABLE = ("normals", "label", "displacement", "outlier")
+
+
+class Feature(enum.IntEnum):
+    """What a point lies on; the numbers in Result.labels and in files."""
+
+    SURFACE = 0
+    EDGE = 1
+    CORNER = 2
+    #: Has nothing near it to be compared with, or is not finite; is never moved.
+    ISOLATED = 3
+
+
+class RoundReport(NamedTuple):
+    """What one round of method "yadav2018" did; lengths in the unit of the input."""
+
+    rms_move: float
+    max_move: float
+
+
+class StageTime(NamedTuple):
+    """How long one stage took over all rounds."""
+
+    stage: str
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Report:
+    """What denoise() found and did; lengths in the unit of the input."""
+
+    #: Points that came in.
+    points: int
+    #: Points with a NaN or infinite coordinate; given back as they are.
+    non_finite: int
+    #: Points at the very place of an earlier one, or next to it; they move as that one does.
+    duplicates: int
+    #: Points found to be no part of the surface.
+    outliers: int
+    #: Points of the result: all, or all but the outliers where these are removed.
+    kept: int
+    #: Mean distance of a point to its 12 nearest (`k` of method "yadav2018").
+    spacing: float
+    #: Standard deviation of the noise as found or given, with the strength in it.
+    noise: float
+    #: The bound on the movement that was used.
+    max_move: float
+    #: Whether the first normals came from the input.
+    kept_normals: bool
+    #: Points of each kind: "surface", "edge", "corner", "isolated".
+    labels: dict[str, int]
+    #: Of method "yadav2018".
+    rounds: tuple[RoundReport, ...]
+    stages: tuple[StageTime, ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Everything in plain types, as for JSON."""
+        return {
+            **dataclasses.asdict(self),
+            "rounds": [r._asdict() for r in self.rounds],
+            "stages": [s._asdict() for s in self.stages],
+        }
+
+    def _rows(self) -> list[tuple[str, str]]:
+        kinds = ", ".join(f"{count} {kind}" for kind, count in self.labels.items())
+        return [
+            ("points", f"{self.points}, {self.kept} kept"),
+            ("labels", kinds),
+            ("outliers", str(self.outliers)),
+            ("not finite, duplicates", f"{self.non_finite}, {self.duplicates}"),
+            ("spacing", f"{self.spacing:.6g}"),
+            ("noise", f"{self.noise:.6g}"),
+            ("largest move allowed", f"{self.max_move:.6g}"),
+            ("seconds", f"{sum(s.seconds for s in self.stages):.3g}"),
+        ]
+
+    def _repr_html_(self) -> str:
+        return _html.table("deburr", (), self._rows())
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Result:
+    """The clean points and what is known of them.
+
+    Arrays own their memory and are in the order of the input; outliers that are removed
+    (`outliers="remove"`) are in none of them.
+    """
+
+    #: (N, 3), the moved points: float64, or float32 if the input was and float32 is fine enough
+    #: (its step no more than 1e-5 of the diagonal of the bounding box).
+    points: Points
+    #: (N, 3) float64, unit normals; zero where there is none.
+    normals: Floats
+    #: (N,) uint8, what each point lies on: see Feature.
+    labels: Bytes
+    #: (N,) bool, points that are no part of the surface.
+    outliers: Mask
+    #: (N,) float64, distance that each point moved, in the unit of the input.
+    displacement: Floats
+    report: Report
+    #: (N,) uint64, the index of each point in the input; None where all are kept.
+    kept: NDArray[np.uint64] | None = None
+    _given: Given | None = None
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    @property
+    def max_displacement(self) -> float:
+        """The largest displacement."""
+        return float(self.displacement.max(initial=0.0))
+
+    @property
+    def rms_displacement(self) -> float:
+        """Root mean square of the displacements of finite points."""
+        largest = self.max_displacement
+        finite = self.report.points - self.report.non_finite
+        if not largest > 0:
+            return 0.0
+        # Relative to the largest, no square can overflow.
+        return largest * float(np.sqrt(np.square(self.displacement / largest).sum() / finite))
+
+    def to_cloud(self, add: Collection[str] = ADDABLE) -> PointCloud:
+        """The clean points with everything that came with them, ready to be written.
+
+        Parameters
+        ----------
+        add : collection of str
+            What is added for every point: "normals", "label" (field deburr_label, uint8: see
+            Feature), "displacement" (deburr_displacement, float32) and "outlier" (deburr_outlier,
+            uint8). Normals that came in are replaced in any case.
+
+        Returns
+        -------
+        PointCloud
+            Fields and layout are those of the input where that was a PointCloud or was read as
+            one; removing points leaves out the elements of the layout, such as faces.
+        """
+        for word in add:
+            if word not in ADDABLE:
+                raise ValueError(f"add must be of {', '.join(ADDABLE)}, got '{word}'")
+        source = self._given.cloud if self._given is not None else None
+        cloud = PointCloud(vectors("points", self.points))
+        if source is not None:
+            source = source if self.kept is None else source.take(self.kept.astype(np.intp))
+            cloud.fields = dict(source.fields)
+            cloud.layout = dataclasses.replace(source.layout, resolution=self._resolution())
+        had_normals = source is not None and source.normals is not None
+        if "normals" in add or had_normals:
+            cloud.normals = self.normals
+        if "label" in add:
+            cloud.fields["deburr_label"] = self.labels
+        if "displacement" in add:
+            most = float(np.finfo(np.float32).max)
+            cloud.fields["deburr_displacement"] = np.minimum(self.displacement, most).astype("f4")
+        if "outlier" in add:
+            cloud.fields["deburr_outlier"] = self.outliers.astype(np.uint8)
+        new_columns = [*add] if not had_normals else [word for word in add if word != "normals"]
+        if new_columns and cloud.layout.header == "none":
+            # Only a header can tell what a new column of a text file is.
+            cloud.layout = dataclasses.replace(cloud.layout, header="plain")
+        return cloud
+
+    def _resolution(self) -> float:
+        """A grid has to tell apart what the movement did, but nothing far below the spacing."""
+        moved = self.rms_displacement
+        return max(moved / 32, 1e-4 * self.report.spacing) if moved > 0 else 0.0
+
+    def as_given(self) -> Any:
+        """The clean points as an object of the kind that was given to denoise().
+
+        Returns
+        -------
+        object
+            An Open3D cloud (legacy or tensor), a laspy.LasData, a PyVista mesh or a PointCloud,
+            with all that the input had; an array for anything else. What the kind can hold is
+            added: normals, deburr_label, deburr_displacement, deburr_outlier.
+        """
+        return self.points if self._given is None else self._given.give_back(self)
+
+    def __getstate__(self) -> dict[str, Any]:
+        given = self._given.without_original() if self._given is not None else None
+        return {**self.__dict__, "_given": given}
+
+    def __repr__(self) -> str:
+        r = self.report
+        return (
+            f"Result({len(self)} points, noise {r.noise:.6g}, spacing {r.spacing:.6g}, "
+            f"{r.outliers} outliers, moved by {self.rms_displacement:.6g} (rms), "
+            f"at most {self.max_displacement:.6g})"
+        )
+
+    def _repr_html_(self) -> str:
+        moved = f"{self.rms_displacement:.6g} (rms), at most {self.max_displacement:.6g}"
+        return _html.table("deburr", (), [*self.report._rows(), ("moved by", moved)])
