@@ -99,11 +99,8 @@ def _read_columns(
 ) -> dict[str, NDArray[Any]]:
     count = vector.childCount()
     # Strings cannot be read into arrays.
-    columns = {
-        name: np.empty(count, _dtype(name, plain))
-        for name, plain in prototype.items()
-        if plain[0] != "string"
-    }
+    types = {name: _dtype(name, plain) for name, plain in prototype.items() if plain[0] != "string"}
+    columns = {name: np.empty(count, buffer_type(dtype)) for name, dtype in types.items()}
     buffers = libe57.VectorSourceDestBuffer()
     for name, array in columns.items():
         buffers.append(libe57.SourceDestBuffer(image_file, name, array, count, True, True))
@@ -111,7 +108,13 @@ def _read_columns(
         reader = vector.reader(buffers)
         reader.read()
         reader.close()
-    return columns
+    return {name: array.astype(types[name], copy=False) for name, array in columns.items()}
+
+
+def buffer_type(dtype: Any) -> np.dtype[Any]:
+    """The type of an array that pye57 reads and writes right: 32 bits it knows by no name."""
+    given = np.dtype(dtype)
+    return np.dtype("q") if given.kind in "iu" and given.itemsize > 2 else given
 
 
 def _dtype(name: str, plain: tree.Plain) -> Any:

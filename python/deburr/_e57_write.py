@@ -189,7 +189,7 @@ class _File:
         held = []  # for as long as the buffers point into them
         for name, values in columns.items():
             tree.add(shape, name, _node_for(name, values, prototype.get(name)), image_file)
-            array = np.ascontiguousarray(values)
+            array = np.ascontiguousarray(values, dtype=_e57.buffer_type(values.dtype))
             held.append(array)
             buffers.append(
                 libe57.SourceDestBuffer(image_file, name, array, max(len(array), 1), True, True)

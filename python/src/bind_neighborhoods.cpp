@@ -71,11 +71,12 @@ void bind_neighborhoods(nb::module_& m) {
                    "Number of neighbours of all points together.")
       .def_prop_ro(
           "offsets", [](const Neighborhoods& n) { return to_array(offsets_of(n)); },
+          nb::rv_policy::move,
           "(N + 1,) uint64, a copy: the neighbours of point i are\n"
           "indices[offsets[i]:offsets[i + 1]].")
       .def_prop_ro(
           "indices", [](const Neighborhoods& n) { return to_array(indices_of(n)); },
-          "(pair_count,) uint32, a copy.")
+          nb::rv_policy::move, "(pair_count,) uint32, a copy.")
       .def("__getstate__",
            [](const Neighborhoods& n) {
              return nb::make_tuple(to_array(offsets_of(n)), to_array(indices_of(n)));
