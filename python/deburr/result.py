@@ -8,17 +8,15 @@ import dataclasses
 import enum
 from collections.abc import Collection
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _html
 from ._arrays import Bytes, Floats, Mask, Points, vectors
+from ._foreign import Given
 from .cloud import PointCloud
-
-if TYPE_CHECKING:
-    from ._foreign import Given
 
 #: What to_cloud() can add for every point.
 ADDABLE = ("normals", "label", "displacement", "outlier")
@@ -137,9 +135,12 @@ class Result:
     def rms_displacement(self) -> float:
         """Root mean square of the displacements of finite points."""
         largest = self.max_displacement
-        finite = self.report.points - self.report.non_finite
         if not largest > 0:
             return 0.0
+        if len(self) == self.report.kept:
+            finite = self.report.points - self.report.non_finite
+        else:  # a part
+            finite = int(np.isfinite(self.points).all(axis=1).sum())
         # Relative to the largest, no square can overflow.
         return largest * float(np.sqrt(np.square(self.displacement / largest).sum() / finite))
 
@@ -183,6 +184,45 @@ class Result:
             # Only a header can tell what a new column of a text file is.
             cloud.layout = dataclasses.replace(cloud.layout, header="plain")
         return cloud
+
+    def part(self, which: ArrayLike | slice, of: PointCloud | None = None) -> Result:
+        """The result for some of the points, such as those of one tile among its neighbours.
+
+        Parameters
+        ----------
+        which : slice, array of bool (N,), or of indices (M,)
+        of : PointCloud, optional
+            What these points came from, whose fields and layout the part takes over; one entry
+            per point of the part.
+
+        Returns
+        -------
+        Result
+            The report stays that of the whole.
+
+        Raises
+        ------
+        ValueError
+            If `of` has another number of points.
+        """
+        chosen = which if isinstance(which, slice) else np.asarray(which)
+        points = self.points[chosen]
+        if of is not None and len(of) != len(points):
+            raise ValueError(f"of must have one entry per point ({len(points)}), got {len(of)}")
+        cloud = of
+        if of is None and self._given is not None and self._given.cloud is not None:
+            source = self._given.cloud
+            at = np.arange(len(source)) if self.kept is None else self.kept.astype(np.intp)
+            cloud = source.take(at[chosen])
+        return Result(
+            points=points,
+            normals=self.normals[chosen],
+            labels=self.labels[chosen],
+            outliers=self.outliers[chosen],
+            displacement=self.displacement[chosen],
+            report=self.report,
+            _given=None if cloud is None else Given(cloud.points, cloud.normals, cloud),
+        )
 
     def _resolution(self) -> float:
         """A grid has to tell apart what the movement did, but nothing far below the spacing."""

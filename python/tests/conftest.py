@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 from __future__ import annotations
 
+import os
 import shutil
 import sys
 from pathlib import Path
@@ -19,6 +20,15 @@ def source() -> Path:
     if not (_ROOT / "pyproject.toml").exists():
         pytest.skip("no source tree beside the tests")
     return _ROOT
+
+
+@pytest.fixture(scope="session")
+def documents() -> Path:
+    """Where the pages and examples are; scripts/wheel copies them."""
+    folder = Path(os.environ.get("DEBURR_DOCUMENTS", _ROOT))
+    if not (folder / "README.md").exists():
+        pytest.skip("no pages beside the tests")
+    return folder
 
 
 @pytest.fixture(scope="session")
