@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -46,7 +46,7 @@ def take_in(given: Any) -> Given:
     """Finds out what was given."""
     if isinstance(given, PointCloud):
         return Given(given.points, given.normals, given)
-    if _has(given, "point") and _has(given.point, "keys") and "positions" in given.point:
+    if _has(given, "point", "clone") and "positions" in given.point:
         return _open3d_tensor(given)
     if _has(given, "points", "has_normals", "has_colors"):
         normals = any_vectors("normals", given.normals) if given.has_normals() else None
@@ -149,12 +149,18 @@ def _to_pyvista(original: Any, result: Result) -> Any:
     return clean
 
 
-def _to_structured(_: Any, result: Result) -> NDArray[np.void]:
-    return result.to_cloud().to_structured()
+def _to_structured(original: Any, result: Result) -> NDArray[np.void]:
+    table = result.to_cloud().to_structured()
+    return table[_with_new_ones_last(original.dtype.names, table.dtype.names or ())]
+
+
+def _with_new_ones_last(before: Iterable[str], after: Iterable[str]) -> list[str]:
+    return [*dict.fromkeys([*map(str, before), *after])]
 
 
 def _to_dataframe(original: Any, result: Result) -> Any:
     frame = result.to_cloud().to_dataframe()
+    frame = frame[_with_new_ones_last(original.columns, frame.columns)]
     indices = _indices(result)
     frame.index = original.index if indices is None else original.index[indices]
     return frame

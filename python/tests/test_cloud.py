@@ -129,6 +129,10 @@ def test_denoise_keeps_fields_of_tables(scan):
         assert type(clean) is type(given)
         assert np.array_equal(clean["id"], result.kept)
         assert np.array_equal(clean["x"], result.points[:, 0])
+        if not isinstance(clean, deburr.PointCloud):
+            names = [*(clean.dtype.names if isinstance(clean, np.ndarray) else clean.columns)]
+            assert names[:5] == ["x", "y", "z", "id", "nx"]
+            assert "deburr_label" in names
     assert np.array_equal(
         deburr.denoise(scan.cloud.points).as_given(), deburr.denoise(table).points
     )

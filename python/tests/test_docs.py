@@ -112,10 +112,10 @@ def test_notebook(documents, tmp_path, monkeypatch):
     nbclient = pytest.importorskip("nbclient", reason="NO NBCLIENT")
     for name in ("ipykernel", "matplotlib"):
         pytest.importorskip(name, reason=f"NO {name.upper()}")
-    monkeypatch.setenv("MPLBACKEND", "agg")
+    monkeypatch.delenv("MPLBACKEND", raising=False)
     monkeypatch.setenv("MPLCONFIGDIR", str(tmp_path))
     monkeypatch.delenv("DEBURR_SCAN", raising=False)
-    shared = documents.parent / "shared" / "data" / "scans" / "rabbit.ply"
+    shared = documents.parent / "shared" / "data" / "scans" / "sfm_sceaux.ply"
     if shared.exists():
         monkeypatch.setenv("DEBURR_SCAN", str(shared))
     page = nbformat.read(documents / "examples" / "python" / "tour.ipynb", as_version=4)
