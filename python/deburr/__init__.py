@@ -30,17 +30,22 @@ from .noise import (
     find_outliers,
     measure_noise,
 )
-from .result import Feature, Report, Result, RoundReport, StageTime
-from .stages import (
+from .positions import (
     FeatureField,
     classify_features,
+    sweep_at_once,
+    sweep_in_place,
+    update_positions,
+)
+from .report import Feature, Report, RoundReport, StageTime
+from .result import Result
+from .stages import (
     estimate_normals,
     filter_normals,
     find_neighbors,
     mean_neighbor_distance,
     orient_normals,
     refit_normals,
-    update_positions,
 )
 from .synthetic import SyntheticScan, shape_mesh, synth
 
@@ -86,6 +91,8 @@ __all__ = [
     "read_mesh",
     "refit_normals",
     "shape_mesh",
+    "sweep_at_once",
+    "sweep_in_place",
     "synth",
     "update_positions",
     "write",

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _foreign, _html, metrics
 from ._arrays import vectors
 from .cloud import PointCloud
+from .figures import DistanceError, FeatureScore, NormalError, OffsetError, OutlierScore
 from .mesh import TriangleMesh
 from .result import Result
 from .synthetic import SyntheticScan
@@ -29,22 +30,22 @@ class Comparison:
     #: Points compared, those that are not finite among them.
     points: int
     #: From the points to the truth.
-    error: metrics.DistanceError
+    error: DistanceError
     #: From the truth to the points.
-    coverage: metrics.DistanceError | None = None
+    coverage: DistanceError | None = None
     #: Where the truth is a cloud.
     chamfer: float | None = None
     #: Of the finite points on the true surface.
     spacing: float | None = None
-    normals: metrics.NormalError | None = None
+    normals: NormalError | None = None
     #: Of the points near a sharp edge.
-    edge_zone: metrics.DistanceError | None = None
+    edge_zone: DistanceError | None = None
     #: Where the cloud has labels.
-    features: metrics.FeatureScore | None = None
+    features: FeatureScore | None = None
     #: Where true outliers are known and the cloud has flags.
-    outliers: metrics.OutlierScore | None = None
+    outliers: OutlierScore | None = None
     #: Where the places without noise are known.
-    offsets: metrics.OffsetError | None = None
+    offsets: OffsetError | None = None
 
     def _repr_html_(self) -> str:
         rows = []

@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike
 
 from . import _core, _foreign
 from ._arrays import any_vectors, option, whole
-from .result import Report, Result, RoundReport, StageTime
+from .report import Report, RoundReport, StageTime
+from .result import Result
 
 #: Called with the name of a stage and the fraction of the whole call that is done.
 ProgressFunction = Callable[[str, float], object]

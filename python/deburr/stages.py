@@ -1,27 +1,17 @@
 # SPDX-FileCopyrightText: 2026 The deburr authors
 # SPDX-License-Identifier: Apache-2.0
-"""The stages of the published method, one function each, under their C++ names."""
+"""Neighbours and normals, stages of the published method, under their C++ names."""
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
+from typing import Literal
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Bytes, Floats, real, values, vectors, whole
+from ._arrays import Floats, real, vectors, whole
 from ._core import Neighborhoods
 from .denoising import ProgressFunction
-
-
-class FeatureField(NamedTuple):
-    """The class of every point and the frame that its position update needs."""
-
-    #: (N,) uint8, see Feature.
-    label: Bytes
-    #: (N, 3), unit vector along the edge at edge points, zero elsewhere.
-    direction: Floats
 
 
 def find_neighbors(
@@ -225,127 +215,5 @@ def filter_normals(
         real("damping", damping),
         real("eigen_tolerance", eigen_tolerance),
         voteless,
-        threads,
-    )
-
-
-def classify_features(
-    points: ArrayLike,
-    normals: ArrayLike,
-    neighborhoods: Neighborhoods,
-    *,
-    rho: float = 0.9,
-    tau: float = 0.25,
-    eigen_tolerance: float = 0.0,
-    threads: int = 0,
-) -> FeatureField:
-    """Sort points into surface, edge and corner by the spectrum of a covariance.
-
-    Parameters
-    ----------
-    points, normals : array (N, 3)
-    neighborhoods : Neighborhoods
-    rho : float in [0, 1)
-        A neighbour counts when the cosine of the two normals is larger.
-    tau : float in (0, 1)
-        Threshold on the eigenvalues divided by their Euclidean norm.
-    eigen_tolerance : float
-        Where the eigen-decomposition stops, in squared units of the points; 0 for full precision.
-
-    Returns
-    -------
-    FeatureField
-        A point without a neighbour of similar normal is isolated.
-
-    Raises
-    ------
-    ValueError
-        If sizes differ or an option is out of its range.
-
-    References
-    ----------
-    Yadav et al. 2018, feature classification by weighted covariance.
-    """
-    options = (real("rho", rho), real("tau", tau), real("eigen_tolerance", eigen_tolerance))
-    return FeatureField(
-        *_core.classify_features(
-            vectors("points", points), vectors("normals", normals), neighborhoods, options, threads
-        )
-    )
-
-
-def update_positions(
-    original: ArrayLike,
-    points: ArrayLike,
-    normals: ArrayLike,
-    features: FeatureField,
-    neighborhoods: Neighborhoods,
-    *,
-    position_scale: float,
-    normal_scale: float = 0.3,
-    step: float = 0.5,
-    feature_step: float = 0.5,
-    max_move: float = 0.0,
-    offset: Literal["projected", "symmetric"] = "symmetric",
-    quadric: Literal["plain", "guarded"] = "guarded",
-    bound: Literal["reject", "clamp"] = "clamp",
-    threads: int = 0,
-) -> Floats:
-    """Move every point by a quadric error with the constraint of its class, all at once.
-
-    Parameters
-    ----------
-    original : array (N, 3)
-        Positions before the first round, which max_move is measured from.
-    points, normals : array (N, 3)
-    features : FeatureField
-    neighborhoods : Neighborhoods
-    position_scale : float
-        Scale of the weights of distances, in the unit of the points, > 0.
-    normal_scale : float
-        Scale of the weights of differences of normals, > 0.
-    step, feature_step : float in (0, 1]
-        Share of its move that a surface point, and an edge or corner point, takes.
-    max_move : float
-        Largest distance from the original position, >= 0, in the unit of the points.
-    offset : "projected" or "symmetric"
-        Along which normal offsets are measured: that of the point (published) or the mean of two.
-    quadric : "plain" or "guarded"
-        Whether the quadric of edges and corners is kept from being singular.
-    bound : "reject" or "clamp"
-        Whether a point that would move too far stays or stops at the bound.
-
-    Returns
-    -------
-    array (N, 3) float64
-        Isolated points, and those that would not be finite, stay.
-
-    Raises
-    ------
-    ValueError
-        If sizes differ or an option is out of its range.
-
-    References
-    ----------
-    Yadav et al. 2018, restricted quadratic error metrics; differs where options say so.
-    """
-    options = (
-        real("position_scale", position_scale),
-        real("normal_scale", normal_scale),
-        real("step", step),
-        real("feature_step", feature_step),
-        real("max_move", max_move),
-        offset,
-        quadric,
-        bound,
-    )
-    return _core.update_positions(
-        vectors("original", original),
-        vectors("points", points),
-        vectors("normals", normals),
-        values("features.label", features.label, np.uint8),
-        vectors("features.direction", features.direction),
-        neighborhoods,
-        options,
         threads,
     )

@@ -46,6 +46,13 @@ def test_stages(name):
     assert shown == stored
 
 
+def test_sweeps_take_what_their_parts_take():
+    stored = _core.stage_defaults()
+    both = {**stored["classify_features"], **stored["update_positions"]}
+    assert defaults_of(deburr.sweep_at_once) == {**both, "threads": 0}
+    assert defaults_of(deburr.sweep_in_place) == {**both, "order": ()}
+
+
 def test_outliers_and_coverage():
     shown = defaults_of(deburr.find_outliers)
     assert {"tolerance": shown["tolerance"]} == _core.find_outliers_defaults()

@@ -95,6 +95,16 @@ def test_features_and_positions(cube):
     assert np.linalg.norm(moved - noisy, axis=1).max() <= 0.03 + 1e-12
     error = [deburr.metrics.compare_to_surface(p, cube.truth).mean for p in (noisy, moved)]
     assert error[1] < 0.8 * error[0]
+    update = {"position_scale": 0.1, "max_move": 0.03}
+    swept, classes = deburr.sweep_at_once(noisy, noisy, cube.normals, near, rho=0.2, **update)
+    expected = deburr.classify_features(noisy, cube.normals, near, rho=0.2)
+    assert np.array_equal(classes.label, expected.label)
+    both = deburr.update_positions(noisy, noisy, cube.normals, expected, near, **update)
+    assert np.array_equal(swept, both)
+    one, _ = deburr.sweep_in_place(noisy, noisy, cube.normals, near, order=[5], **update)
+    assert np.flatnonzero((one != noisy).any(axis=1)).tolist() == [5]
+    every, _ = deburr.sweep_in_place(noisy, noisy, cube.normals, near, **update)
+    assert (every != noisy).any(axis=1).sum() > 1900
     with pytest.raises(ValueError, match="offset must be projected or symmetric, got 'x'"):
         deburr.update_positions(
             noisy,
