@@ -63,6 +63,26 @@ def test_pickle(cloud):
     assert not again.equals(cloud)
 
 
+def test_what_becomes_of_other_types():
+    cloud = deburr.PointCloud(
+        np.zeros((2, 3), np.float32),
+        fields={
+            "flag": [True, False],
+            "half": np.array([1.5, 2], np.float16),
+            "far": np.array([1, 2], ">i4"),
+            "table": [[1, 2], [3, 4]],
+            "text": np.array(["a", "bc"]),
+        },
+    )
+    assert cloud.points.dtype == np.float64
+    assert cloud["flag"].tolist() == [1, 0]
+    assert [cloud[name].dtype.name for name in ("flag", "half", "far", "text")] == [
+        *("uint8", "float32", "int32", "object")
+    ]
+    assert cloud["far"].dtype.isnative
+    assert [row.tolist() for row in cloud["table"]] == [[1, 2], [3, 4]]
+
+
 def test_take(cloud):
     some = cloud.take([2, 0])
     assert some["name"].tolist() == ["c", "a"]

@@ -40,6 +40,7 @@ def test_compare_gives_what_the_program_gives(tmp_path, program, scan, result):
         figures.features.edge_recall,
         figures.outliers.recall,
         figures.offsets.rms,
+        figures.offsets.far_share,
     ]
     for number in ours:
         assert any(number == pytest.approx(other, rel=1e-12) for other in programs), number
