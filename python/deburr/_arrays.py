@@ -26,10 +26,8 @@ def any_vectors(name: str, value: ArrayLike) -> Points:
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"{name} must have shape (N, 3), got {array.shape}")
     readable = (
-        array.dtype.isnative
-        and array.dtype in (np.float32, np.float64)
-        and array.flags.aligned
-        and all(stride % array.itemsize == 0 for stride in array.strides)
+        # Neither holds for arrays of the other byte order, and for fields of packed records.
+        array.dtype in (np.float32, np.float64) and array.flags.aligned
     )
     if readable:
         return array

@@ -106,6 +106,7 @@ def test_normals_kept_given_or_estimated(scan):
 def test_published_method(scan):
     result = deburr.denoise(scan.cloud, method="yadav2018", rounds=2, update="simultaneous")
     assert len(result.report.rounds) == 2
+    assert result.report.to_dict()["rounds"][1]["max_move"] == result.report.rounds[1].max_move
     assert result.report.rounds[0].max_move >= result.report.rounds[0].rms_move > 0
 
 

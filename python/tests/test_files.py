@@ -101,6 +101,16 @@ def test_a_result_is_written_as_the_program_writes_it(tmp_path, program, name, o
     assert ours.read_bytes() == theirs.read_bytes()
 
 
+def test_what_is_asked_for_is_written_as_the_program_writes_it(tmp_path, program, scan):
+    source, theirs, ours = (tmp_path / name for name in ("in.xyz", "theirs.csv", "ours.csv"))
+    deburr.write(source, scan.cloud)
+    command = [program, "denoise", source, theirs, "--quiet", "--add", "label,displacement"]
+    subprocess.run(command, check=True)
+    result = deburr.denoise(deburr.read(source))
+    deburr.write(ours, result.to_cloud(add=("label", "displacement")))
+    assert ours.read_bytes() == theirs.read_bytes()
+
+
 def test_what_is_lost_is_said(tmp_path, cloud):
     path = tmp_path / "cloud.obj"
     with warnings.catch_warnings(record=True) as caught:
@@ -130,6 +140,7 @@ def test_errors_have_the_words_of_the_library(tmp_path, cloud):
     with pytest.raises(deburr.DeburrIOError, match="No such file") as caught:
         deburr.read(absent)
     assert isinstance(caught.value, OSError)
+    assert issubclass(deburr.DataError, ValueError)
     assert str(caught.value).startswith(str(absent))
     short = tmp_path / "short.xyz"
     short.write_text("0 0 0\n1 2\n")

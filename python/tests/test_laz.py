@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import struct
+import subprocess
 
 import numpy as np
 import pytest
@@ -101,6 +102,17 @@ def test_laz_and_las_are_written_alike(tmp_path, las):
     assert np.array_equal(packed.points.array, plain.points.array)
     assert (tmp_path / "out.laz").stat().st_size < (tmp_path / "out.las").stat().st_size
     assert [path.name for path in tmp_path.glob(".deburr*")] == []
+
+
+def test_a_coarse_grid_is_refined_as_by_the_program(tmp_path, program, scan):
+    las = make_las("1.2", 3, scan.cloud.points[:1200])
+    las.change_scaling(scales=[0.25] * 3)
+    source, theirs, ours = (tmp_path / name for name in ("in.las", "theirs.las", "ours.las"))
+    las.write(source)
+    subprocess.run([program, "denoise", source, theirs, "--quiet"], check=True)
+    deburr.write(ours, deburr.denoise(deburr.read(source)))
+    assert ours.read_bytes() == theirs.read_bytes()
+    assert laspy.read(ours).header.scales[0] < 0.25
 
 
 def test_laspy_objects(las):

@@ -59,6 +59,18 @@ def test_compare_with_a_cloud(scan):
     assert with_normals.normals.oriented < 10
 
 
+def test_normals_are_compared_with_normals(scan):
+    with pytest.raises(ValueError, match="truth must have normals, got none"):
+        deburr.metrics.normal_error(scan.clean, scan.normals, deburr.PointCloud(scan.clean))
+
+
+def test_an_outlier_has_no_place_without_noise(scan):
+    fields = {"outlier": scan.outliers}
+    clean = deburr.PointCloud(scan.clean, np.ones_like(scan.clean), fields)
+    figures = deburr.compare(scan.cloud, scan.truth, clean=clean)
+    assert figures.offsets.count == (~scan.outliers).sum()
+
+
 def test_distance_to_a_surface():
     square = deburr.TriangleMesh(
         [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]]
