@@ -104,6 +104,23 @@ def test_laz_and_las_are_written_alike(tmp_path, las):
     assert [path.name for path in tmp_path.glob(".deburr*")] == []
 
 
+def test_files_appear_whole_or_not_at_all(tmp_path, las):
+    cloud = deburr.denoise(las).to_cloud()
+    folder = tmp_path / "folder.laz"
+    folder.mkdir()
+    with pytest.raises(deburr.DeburrIOError, match=r"folder\.laz"):
+        deburr.write(folder, cloud)
+    assert [path.name for path in tmp_path.iterdir()] == ["folder.laz"]
+    mine = tmp_path / "mine.laz"
+    mine.touch(0o600)
+    link = tmp_path / "link.laz"
+    link.symlink_to(mine)
+    deburr.write(link, cloud)
+    assert link.is_symlink()
+    assert mine.stat().st_mode & 0o777 == 0o600
+    assert len(deburr.read(mine)) == len(cloud)
+
+
 def test_a_coarse_grid_is_refined_as_by_the_program(tmp_path, program, scan):
     las = make_las("1.2", 3, scan.cloud.points[:1200])
     las.change_scaling(scales=[0.25] * 3)
