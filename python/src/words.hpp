@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -35,12 +33,14 @@ template <typename T, std::size_t N>
   throw std::invalid_argument(message + ", got '" + std::string(word) + "'");
 }
 
-/// The word for a value; the value must be among the choices.
+/// The word for a value.
+/// @throws std::logic_error  for a value that the table has been forgotten to tell of
 template <typename T, std::size_t N>
 [[nodiscard]] const char* word_for(const Choice<T> (&choices)[N], T value) {
-  return std::find_if(std::begin(choices), std::end(choices),
-                      [&](const Choice<T>& choice) { return choice.value == value; })
-      ->word;
+  for (const Choice<T>& choice : choices) {
+    if (choice.value == value) return choice.word;
+  }
+  throw std::logic_error("a value without a word");
 }
 
 }  // namespace deburr::python
