@@ -54,7 +54,7 @@ count_tests() {
   [ -f "$1" ] || fail "the tests ended without results"
   awk '
     function value(name) {
-      return match($0, " " name "=\"[0-9]+\"") ? substr($0, RSTART + length(name) + 3) + 0 : 0
+      return match($0, name "=\"[0-9]+\"") ? substr($0, RSTART + length(name) + 2) + 0 : 0
     }
     /<testsuite /, />/ {
       tests += value("tests"); failed += value("failures") + value("errors")
