@@ -47,7 +47,7 @@ Values values_from_python(const nb::handle& object) {
 
 nb::tuple attribute_to_python(Attribute attribute) {
   nb::object values = std::visit(
-      [](auto&& all) -> nb::object {
+      [](auto& all) -> nb::object {
         using Value = typename std::decay_t<decltype(all)>::value_type;
         if constexpr (std::is_same_v<Value, std::string>) {
           nb::list texts;
@@ -57,7 +57,7 @@ nb::tuple attribute_to_python(Attribute attribute) {
           return nb::cast(to_array(std::move(all)));
         }
       },
-      std::move(attribute.values));
+      attribute.values);
   nb::object offsets = nb::none();
   if (attribute.is_list()) {
     offsets = nb::cast(
