@@ -86,11 +86,11 @@ def test_interrupt_stops_the_work():
             time.sleep(0.01)
         _thread.interrupt_main()
 
-    helper = threading.Thread(target=interrupt)
-    helper.start()
+    sender = threading.Thread(target=interrupt)
+    sender.start()
     with pytest.raises(KeyboardInterrupt):
         deburr.denoise(many, on_progress=record.progress)
-    helper.join()
+    sender.join()
     assert record.fraction() < 0.9
 
 
