@@ -38,6 +38,17 @@ std::string refuse_negative(const std::string& number) {
   return number.find('-') == std::string::npos ? "" : "must be >= 0, got " + number;
 }
 
+std::string with_option_name(const CLI::App& command, const std::string& message) {
+  const std::size_t end = message.find(" must be ");
+  if (end == std::string::npos) return message;
+  std::string name = message.substr(0, end);
+  name.erase(0, name.rfind('.') + 1);
+  std::ranges::replace(name, '_', '-');
+  name.insert(0, "--");
+  if (command.get_option_no_throw(name) == nullptr) return message;
+  return name + message.substr(end);
+}
+
 CLI::Option* add_file(CLI::App& command, const std::string& name, std::string& value,
                       const std::string& description) {
   return command.add_option(name, value, description)->required()->type_name("");

@@ -39,6 +39,10 @@ void add_format(CLI::App& command, std::string& format);
 /// The complaint about a number with a minus sign, empty for others; a check for CLI11.
 [[nodiscard]] std::string refuse_negative(const std::string& number);
 
+/// What the library says of an option, "automatic.max_move must be ...", with the name that it has
+/// on the command line, "--max-move must be ...". Other messages stay.
+[[nodiscard]] std::string with_option_name(const CLI::App& command, const std::string& message);
+
 /// Adds an option whose default is the value that the variable has now.
 template <typename T>
 CLI::Option* add_value(CLI::App& command, const std::string& name, T& value,

@@ -15,6 +15,7 @@
 #include "deburr/io.hpp"
 #include "denoise_options.hpp"
 #include "denoise_summary.hpp"
+#include "element_losses.hpp"
 #include "interrupt.hpp"
 #include "json_line.hpp"
 #include "output_file.hpp"
@@ -191,20 +192,14 @@ void run(const DenoiseArgs& args) {
   const std::size_t points = result.cloud.size();
   if (std::ranges::any_of(result.cloud.points, is_finite)) {
     const bool had_normals = !result.cloud.normals.empty();
-    const std::vector<Element> elements = result.cloud.layout.elements;
+    const std::vector<ElementSize> elements = element_sizes(result.cloud);
     try {
       result = denoise(result.cloud, args.options, execution);
     } catch (const DataError& error) {
       throw DataError(args.input + ": " + error.what());
     }
     summary.report = std::move(result.report);
-    if (result.cloud.layout.elements.empty()) {
-      for (const Element& element : elements) {
-        summary.warnings.push_back(
-            fmt::format("{}: {} left out, which may refer to points that are removed", args.input,
-                        element.name));
-      }
-    }
+    warn_of_lost_elements(args.input, elements, element_sizes(result.cloud), summary.warnings);
     summarize_displacement(result, summary);
     summary.added = add_fields(result, add, had_normals, format.name == "las");
     result.cloud.layout.resolution = resolution_for(summary);

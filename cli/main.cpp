@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "args.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "deburr/error.hpp"
@@ -29,9 +30,12 @@ int fail(ExitCode code, const std::string& message) {
 }
 
 /// What was wrong, and where the user finds out what is right.
-std::string explain(const CLI::App& program, const std::string& message) {
+std::string explain(const CLI::App& program, std::string message) {
   std::string command = "deburr";
-  for (const CLI::App* sub : program.get_subcommands()) command += " " + sub->get_name();
+  for (const CLI::App* sub : program.get_subcommands()) {
+    command += " " + sub->get_name();
+    message = with_option_name(*sub, message);
+  }
   // A word that is not known explains why another one is missing.
   const std::vector<std::string> unknown = program.remaining(true);
   return fmt::format("{} (see {} --help)",

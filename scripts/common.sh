@@ -4,6 +4,7 @@
 
 build_packages=(cmake ninja-build g++ libeigen3-dev libtbb-dev libcli11-dev libfmt-dev
   nlohmann-json3-dev)
+python_packages=(python3 python3-dev python3-venv)
 
 fail() {
   echo "$(basename "$0"): $1" >&2
@@ -48,6 +49,21 @@ fail_with_log() {
   fail "$1; all of it is in $log"
 }
 
+# Prints what a run of tests came to, from its JUnit file, as "N passed, N failed, N skipped".
+count_tests() {
+  [ -f "$1" ] || fail "the tests ended without results"
+  awk '
+    function value(name) {
+      return match($0, name "=\"[0-9]+\"") ? substr($0, RSTART + length(name) + 2) + 0 : 0
+    }
+    /<testsuite /, />/ {
+      tests += value("tests"); failed += value("failures") + value("errors")
+      skipped += value("skipped") + value("disabled")
+    }
+    END { printf "%d passed, %d failed, %d skipped\n", tests - failed - skipped, failed, skipped }
+  ' "$1"
+}
+
 # Starts $log anew.
 start_log() {
   log=build/$1.log
@@ -55,11 +71,13 @@ start_log() {
   : >"$log"
 }
 
-# Configures and builds a preset.
+# Configures and builds a preset, or some targets of it.
 build_preset() {
-  local started=$SECONDS
+  local started=$SECONDS preset=$1
+  shift
   printf 'building (%s; takes minutes the first time) ... ' "$log"
-  if ! { logged cmake --preset "$1" && logged cmake --build --preset "$1" -j "$(nproc)"; }; then
+  if ! { logged cmake --preset "$preset" &&
+    logged cmake --build --preset "$preset" -j "$(nproc)" ${1:+--target "$@"}; }; then
     echo failed
     fail_with_log "the build failed"
   fi

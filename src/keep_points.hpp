@@ -6,8 +6,9 @@
 
 namespace deburr {
 
-/// Takes the outliers out of every array of a result, attributes among them. Other elements of the
-/// file that refer to points by number, such as faces, would be wrong then and go too.
+/// Takes the outliers out of every array of a result, attributes among them. Faces and edges whose
+/// points all stay are kept, with their new numbers. Other elements of the file may refer to points
+/// in ways that nobody knows, and go.
 void remove_outliers(DenoiseResult& result);
 
 }  // namespace deburr

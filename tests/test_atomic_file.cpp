@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The deburr authors
 // SPDX-License-Identifier: Apache-2.0
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "deburr/error.hpp"
 #include "deburr/io.hpp"
@@ -23,6 +25,13 @@ std::string error_of_opening(const fs::path& path) {
   return "";
 }
 
+/// Whether files without a name can be made in a folder.
+bool has_nameless_files(const fs::path& folder) {
+  const int fd = ::open(folder.c_str(), O_TMPFILE | O_WRONLY, 0600);
+  if (fd >= 0) ::close(fd);
+  return fd >= 0;
+}
+
 TEST(AtomicFile, AppearsOnlyWhenCommitted) {
   const TempDir dir;
   put(dir / "a", "old");
@@ -31,7 +40,7 @@ TEST(AtomicFile, AppearsOnlyWhenCommitted) {
     file.write("ne");
     file.write("w");
     EXPECT_EQ(get(dir / "a"), "old");
-    EXPECT_EQ(dir.count(), 2);
+    EXPECT_EQ(dir.count(), has_nameless_files(dir.path()) ? 1 : 2);
     file.commit();
   }
   EXPECT_EQ(get(dir / "a"), "new");
@@ -63,6 +72,59 @@ TEST(AtomicFile, WritesTwoFilesOfOneFolderAtOnce) {
   b.commit();
   a.commit();
   EXPECT_EQ(get(dir / "a") + get(dir / "b"), "12");
+}
+
+// Between the two steps of a replacement, the file has a name that may be taken.
+TEST(AtomicFile, TakesAnotherNameWhereItsOwnIsTaken) {
+  const TempDir dir;
+  put(dir / "a", "old");
+  const std::string taken = ".deburr-" + std::to_string(::getpid()) + "-0.tmp";
+  put(dir / taken, "of someone else");
+  AtomicFile file(dir / "a");
+  file.write("new");
+  file.commit();
+  EXPECT_EQ(get(dir / "a"), "new");
+  EXPECT_EQ(get(dir / taken), "of someone else");
+  EXPECT_EQ(dir.count(), 2);
+}
+
+// A file that another program made in the meantime is replaced, as one from before would be.
+TEST(AtomicFile, ReplacesWhatAppearedMeanwhile) {
+  const TempDir dir;
+  AtomicFile file(dir / "a");
+  file.write("new");
+  put(dir / "a", "between");
+  file.commit();
+  EXPECT_EQ(get(dir / "a"), "new");
+  EXPECT_EQ(dir.count(), 1);
+}
+
+TEST(AtomicFile, ReplacesFilesInMemoryToo) {
+  const fs::path memory = "/dev/shm";
+  if (::access(memory.c_str(), W_OK) != 0) GTEST_SKIP() << "there is no folder in memory here";
+  const fs::path path = memory / ("deburr-" + std::to_string(::getpid()));
+  put(path, "a longer one");
+  {
+    AtomicFile file(path);
+    file.write("new");
+    EXPECT_EQ(get(path), "a longer one");
+    file.commit();
+  }
+  EXPECT_EQ(get(path), "new");
+  fs::remove(path);
+}
+
+TEST(AtomicFile, WritesIntoWhatADescriptorHolds) {
+  const TempDir dir;
+  put(dir / "a", "");
+  const int held = ::open((dir / "a").c_str(), O_WRONLY);
+  AtomicFile file("/dev/fd/" + std::to_string(held));
+  file.write("new");
+  EXPECT_EQ(get(dir / "a"), "new");
+  file.commit();
+  EXPECT_EQ(::write(held, "N", 1), 1);  // still the same file
+  EXPECT_EQ(get(dir / "a"), "New");
+  ::close(held);
 }
 
 TEST(AtomicFile, KeepsPermissionsOrTakesThoseOfNewFiles) {
@@ -107,16 +169,37 @@ TEST(AtomicFile, SaysWhyItCannotWrite) {
   EXPECT_THAT(error_of_opening(dir / "none/a"), HasSubstr((dir / "none/a").string()));
 }
 
+/// Root may write everywhere: then the test goes on as somebody else.
+class NotRoot {
+ public:
+  NotRoot() : was_root_(::geteuid() == 0) {
+    EXPECT_TRUE(!was_root_ || ::setresuid(nobody, nobody, 0) == 0);
+  }
+  ~NotRoot() { EXPECT_TRUE(!was_root_ || ::setresuid(0, 0, 0) == 0); }
+  NotRoot(const NotRoot&) = delete;
+  NotRoot& operator=(const NotRoot&) = delete;
+
+  static constexpr uid_t nobody = 65534;
+
+ private:
+  bool was_root_;
+};
+
 TEST(AtomicFile, RespectsProtection) {
-  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
   const TempDir dir;
   put(dir / "a", "old");
   fs::permissions(dir / "a", fs::perms{0444});
+  if (::geteuid() == 0) {
+    ASSERT_EQ(::chown((dir / "a").c_str(), NotRoot::nobody, NotRoot::nobody), 0);
+    ASSERT_EQ(::chown(dir.path().c_str(), NotRoot::nobody, NotRoot::nobody), 0);
+  }
+  const NotRoot not_root;
   EXPECT_THAT(error_of_opening(dir / "a"), HasSubstr("Permission denied"));
   fs::permissions(dir.path(), fs::perms{0555});
   EXPECT_THAT(error_of_opening(dir / "b"), HasSubstr("Permission denied"));
   fs::permissions(dir.path(), fs::perms{0755});
   EXPECT_EQ(get(dir / "a"), "old");
+  EXPECT_EQ(dir.count(), 1);
 }
 
 TEST(AtomicFile, WritesDevicesDirectly) {

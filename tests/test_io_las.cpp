@@ -45,6 +45,41 @@ TEST(Las, WritesEveryFormatBackBitByBit) {
   }
 }
 
+// Version 1.3 has one record behind the points, whatever its name, and a place for where it is.
+TEST(Las, MovesTheRecordBehindThePointsOfVersion13) {
+  const TempDir dir;
+  std::string file = las_file({.minor = 3, .format = 4});
+  put_at(file, 227, static_cast<std::uint64_t>(file.size()));
+  file += las_record("someone", 7, "big", true);
+  PointCloud cloud = parsed(file);
+  cloud.layout.comments = {"makes the part before the points longer"};
+  const PointCloud again = parsed(written_as(dir, cloud, "a.las"));
+  const HeaderBlock& record = again.layout.blocks.back();
+  EXPECT_EQ(record.name, "LAS extended record someone 7");
+  EXPECT_EQ(record.data, cloud.layout.blocks.back().data);
+  expect_same(again.attributes, cloud.attributes);
+}
+
+TEST(Las, GivesFieldsOfOneNameNamesOfTheirOwn) {
+  const TempDir dir;
+  for (const std::size_t points : {0U, 3U}) {
+    std::string descriptors;
+    for (const char* name : {"nx", "ny", "nz", "nx", "a", "a"}) {
+      descriptors += las_descriptor(name, 1);
+    }
+    const PointCloud cloud = parsed(las_file(
+        {.points = points, .records = las_record("LASF_Spec", 4, descriptors), .extra_bytes = 6}));
+    EXPECT_EQ(cloud.normals.size(), points);
+    for (const char* name : {"nx_", "a", "a_"}) {
+      EXPECT_EQ(values_of<std::uint8_t>(cloud, name).size(), points) << name;
+    }
+    const PointCloud again = parsed(written_as(dir, cloud, "a.las"));
+    ASSERT_EQ(again.attributes.size(), cloud.attributes.size());
+    // Without points there are no normals, and their names are free.
+    if (points > 0) expect_same(again.attributes, cloud.attributes);
+  }
+}
+
 TEST(Las, FindsTheFieldsOfTheSpecification) {
   LasParts parts{.minor = 4, .format = 8, .points = 1, .record_count = 0};
   parts.records.clear();

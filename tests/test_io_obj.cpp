@@ -89,6 +89,27 @@ TEST(Obj, WritesBytesOfColoursAsFractions) {
   EXPECT_THAT(values_of<double>(parsed("v 1 2 3 0.501961 0 0\n"), "red"), ElementsAre(0.501961));
 }
 
+TEST(Obj, WritesColoursOf16BitsExactly) {
+  const TempDir dir;
+  PointCloud cloud;
+  cloud.points = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+  cloud.attributes = {{"red", std::vector<std::uint16_t>{0, 65535, 1}, {}},
+                      {"green", std::vector<std::uint16_t>{32768, 12345, 257}, {}},
+                      {"blue", std::vector<std::uint16_t>{3, 2, 1}, {}}};
+  std::vector<std::string> warnings;
+  const PointCloud again = parsed(written_as(dir, cloud, "a.obj", &warnings));
+  EXPECT_THAT(warnings, IsEmpty());
+  expect_same(again.attributes, cloud.attributes);
+  // Small integers are bytes, whatever their type; others are no colours.
+  cloud.attributes[0].values = std::vector<std::int64_t>{0, 255, 1};
+  cloud.attributes[1].values = std::vector<std::int64_t>{0, 255, 1};
+  EXPECT_THAT(values_of<std::uint8_t>(parsed(written_as(dir, cloud, "a.obj")), "red"),
+              ElementsAre(0, 255, 1));
+  cloud.attributes[1].values = std::vector<std::int64_t>{0, 65536, 1};
+  EXPECT_THAT(parsed(written_as(dir, cloud, "a.obj", &warnings)).attributes, IsEmpty());
+  EXPECT_EQ(warnings.size(), 3U);
+}
+
 TEST(Obj, SaysWhatItCannotHold) {
   const TempDir dir;
   PointCloud cloud;

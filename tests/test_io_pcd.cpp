@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <optional>
 #include <random>
+#include <string>
+#include <string_view>
 
 #include "io/lzf.hpp"
 #include "support/broken_files.hpp"
@@ -106,6 +109,71 @@ TEST(Pcd, UnpacksColoursAndPacksThemAgain) {
   EXPECT_THAT(written_as(dir, alpha, "a.pcd"), testing::EndsWith("1 2 3 4278190081\n"));
 }
 
+// Also a list has a name that no colour may take.
+TEST(Pcd, LeavesPackedColoursAloneWhereTheirNamesAreTaken) {
+  const TempDir dir;
+  const std::string file =
+      "# .PCD\nFIELDS x y z rgb blue\nSIZE 4 4 4 4 1\nTYPE F F F U U\nCOUNT 1 1 1 1 2\nWIDTH 1\n"
+      "HEIGHT 1\nDATA ascii\n1 2 3 66051 4 5\n";
+  const PointCloud cloud = parsed(file);
+  EXPECT_THAT(field_names(cloud), ElementsAre("x", "y", "z", "rgb", "blue"));
+  EXPECT_THAT(values_of<std::uint32_t>(cloud, "rgb"), ElementsAre(66051));
+  expect_same(parsed(written_as(dir, cloud, "a.pcd")), cloud);
+}
+
+PointCloud colored(Values red, Values green, Values blue) {
+  PointCloud cloud;
+  cloud.points = {{1, 2, 3}, {4, 5, 6}};
+  cloud.attributes = {
+      {"red", std::move(red), {}}, {"green", std::move(green), {}}, {"blue", std::move(blue), {}}};
+  return cloud;
+}
+
+TEST(Pcd, PacksColoursOf16BitsBesideTheirFields) {
+  const TempDir dir;
+  using Words = std::vector<std::uint16_t>;
+  // 128 and 129 are on the two sides of half a step of 257.
+  const PointCloud cloud = colored(Words{65535, 128}, Words{257, 129}, Words{0, 65407});
+  std::vector<std::string> warnings;
+  const std::string file = written_as(dir, cloud, "a.pcd", &warnings);
+  EXPECT_THAT(warnings, IsEmpty());
+  EXPECT_THAT(file, HasSubstr("FIELDS x y z rgb red green blue\n"));
+  const PointCloud again = parsed(file);
+  expect_same(again.attributes, cloud.attributes);
+  EXPECT_EQ(written_as(dir, again, "b.pcd"), file);
+  // What other programs see.
+  std::string other = file;
+  other.replace(other.find(" red green blue"), 15, " r__ g____ b___");
+  const PointCloud seen = parsed(other);
+  EXPECT_THAT(values_of<std::uint8_t>(seen, "red"), ElementsAre(255, 0));
+  EXPECT_THAT(values_of<std::uint8_t>(seen, "green"), ElementsAre(1, 1));
+  EXPECT_THAT(values_of<std::uint8_t>(seen, "blue"), ElementsAre(0, 255));
+  // Changed by another program, they say something else.
+  PointCloud changed = again;
+  changed.layout.blocks.clear();
+  changed.attributes.insert(changed.attributes.begin(),
+                            {"rgb", std::vector<std::uint32_t>{1, 2}, {}});
+  changed.layout.fields.insert(changed.layout.fields.begin() + 3, {"rgb", ScalarType::UInt32});
+  expect_same(parsed(written_as(dir, changed, "c.pcd")).attributes, changed.attributes);
+}
+
+TEST(Pcd, PacksSmallIntegersOfAnyType) {
+  const TempDir dir;
+  const PointCloud cloud =
+      colored(std::vector<std::int64_t>{0, 255}, std::vector<std::uint16_t>{7, 8},
+              std::vector<std::int8_t>{1, 2});
+  const PointCloud again = parsed(written_as(dir, cloud, "a.pcd"));
+  EXPECT_THAT(values_of<std::uint8_t>(again, "red"), ElementsAre(0, 255));
+  EXPECT_THAT(values_of<std::uint8_t>(again, "green"), ElementsAre(7, 8));
+  // What is no colour stays as it is.
+  for (const std::int64_t other : {-1, 65536}) {
+    const PointCloud no_colors =
+        colored(std::vector<std::int64_t>{0, other}, std::vector<std::uint16_t>{7, 8},
+                std::vector<std::int8_t>{1, 2});
+    expect_same(parsed(written_as(dir, no_colors, "a.pcd")).attributes, no_colors.attributes);
+  }
+}
+
 TEST(Pcd, ReadsOldAndSparseHeaders) {
   EXPECT_EQ(parsed("VERSION .5\r\nCOLUMNS x y z\r\nSIZE 4 4 4\r\nTYPE F F F\r\nPOINTS 1\r\n"
                    "DATA ascii\r\n1 2 3\r\n")
@@ -178,6 +246,29 @@ TEST(Pcd, NamesWhatIsWrong) {
               HasSubstr("13 bytes are announced, 1 points have 12"));
 }
 
+/// What comes out, taken in pieces; nothing if the data are damaged or have another size.
+std::optional<std::string> unpacked(std::string_view packed, std::size_t size) {
+  LzfUnpacker unpacker(packed);
+  std::string data(size, '\0');
+  for (std::size_t at = 0; at < size;) {
+    const std::size_t count = std::min<std::size_t>(size - at, 1 + at % 7000);
+    if (!unpacker.read(data.data() + at, count)) return std::nullopt;
+    at += count;
+  }
+  if (!unpacker.at_end()) return std::nullopt;
+  return data;
+}
+
+std::string packed_from(const std::string& data, std::size_t pieces = 1) {
+  std::string packed;
+  for (std::size_t k = 0; k < pieces; ++k) {
+    const std::size_t begin = data.size() * k / pieces;
+    lzf_append(packed,
+               std::string_view(data).substr(begin, data.size() * (k + 1) / pieces - begin));
+  }
+  return packed;
+}
+
 TEST(Lzf, UnpacksWhatItPacks) {
   std::mt19937 random(1);
   for (int run = 0; run < 300; ++run) {
@@ -185,25 +276,45 @@ TEST(Lzf, UnpacksWhatItPacks) {
     const unsigned variety = 1 + random() % 256;
     for (char& c : data) c = static_cast<char>(random() % variety);
     if (run % 3 == 0) data += data + data;
-    const std::string packed = lzf_pack(data);
+    const std::string packed = packed_from(data);
     EXPECT_LE(packed.size(), data.size() + data.size() / 32 + 1);
-    EXPECT_EQ(lzf_unpack(packed, data.size()), data);
-    EXPECT_EQ(lzf_unpack(packed, data.size() + 1), std::nullopt);
-    EXPECT_TRUE(data.empty() || !lzf_unpack(packed, data.size() - 1));
+    EXPECT_EQ(unpacked(packed, data.size()), data);
+    EXPECT_EQ(unpacked(packed, data.size() + 1), std::nullopt);
+    EXPECT_TRUE(data.empty() || !unpacked(packed, data.size() - 1));
+    EXPECT_EQ(unpacked(packed_from(data, 3), data.size()), data);
   }
-  EXPECT_LT(lzf_pack(std::string(100000, 'a')).size(), 2000U);
+  EXPECT_LT(packed_from(std::string(100000, 'a')).size(), 2000U);
+  // Farther than the window of the unpacker, with copies of every distance.
+  std::string large;
+  for (int run = 0; large.size() < 400000; ++run) {
+    const std::size_t length = 1 + random() % 300;
+    const std::size_t back = 1 + random() % 9000;
+    for (std::size_t k = 0; k < length; ++k) {
+      const bool copied = run % 3 != 0 && back <= large.size();
+      large += copied ? large[large.size() - back] : static_cast<char>(random());
+    }
+  }
+  EXPECT_EQ(unpacked(packed_from(large), large.size()), large);
+  EXPECT_LT(packed_from(large).size(), large.size() / 2);
+  // All copies reach back as far as they can.
+  std::string period(8192, '\0');
+  for (char& c : period) c = static_cast<char>(random());
+  std::string periods;
+  for (int k = 0; k < 40; ++k) periods += period;
+  EXPECT_EQ(unpacked(packed_from(periods), periods.size()), periods);
+  EXPECT_LT(packed_from(periods).size(), periods.size() / 5);
   // A literal, then a copy that overlaps itself: from the description of the format.
-  EXPECT_EQ(lzf_unpack(std::string("\x00"
-                                   "a"
-                                   "\x80\x00",
-                                   4),
-                       7),
+  EXPECT_EQ(unpacked(std::string("\x00"
+                                 "a"
+                                 "\x80\x00",
+                                 4),
+                     7),
             "aaaaaaa");
-  EXPECT_EQ(lzf_unpack(std::string("\x00"
-                                   "a"
-                                   "\xe0\x01\x00",
-                                   5),
-                       11),
+  EXPECT_EQ(unpacked(std::string("\x00"
+                                 "a"
+                                 "\xe0\x01\x00",
+                                 5),
+                     11),
             "aaaaaaaaaaa");
 }
 

@@ -182,6 +182,21 @@ TEST(Ply, KeepsTheTypeOfCoordinatesWhereItIsExact) {
   }
 }
 
+// PCD has coordinates that are integers of 64 bits, PLY has not, be there points or none.
+TEST(Ply, WritesCoordinatesOfTypesThatItHasNotAsDoubles) {
+  const TempDir dir;
+  for (const std::size_t points : {0U, 2U}) {
+    PointCloud cloud;
+    cloud.points.assign(points, {1, 2, 3});
+    for (const char* name : {"x", "y", "z"}) {
+      cloud.layout.fields.push_back({name, ScalarType::UInt64});
+    }
+    (void)write_cloud(dir / "a.ply", cloud);
+    EXPECT_EQ(read_cloud(dir / "a.ply").points, cloud.points);
+    EXPECT_THAT(get(dir / "a.ply"), testing::HasSubstr("property double z\n"));
+  }
+}
+
 TEST(Ply, KeepsRandomDoublesExactly) {
   const TempDir dir;
   std::mt19937_64 random(1);

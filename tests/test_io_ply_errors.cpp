@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "deburr/error.hpp"
 #include "deburr/io.hpp"
 #include "support/broken_files.hpp"
@@ -93,6 +95,30 @@ TEST(Ply, NamesThePlaceOfABadRow) {
   EXPECT_EQ(error_of(binary + "\x02\0\0\0"s),
             "byte " + std::to_string(binary.size() + 4) +
                 ": the file ends in row 1 of 1 of element 'vertex'");
+}
+
+TEST(Ply, RefusesFacesThatPointBeyondTheVertices) {
+  const auto file = [](const std::string& format, const std::string& data) {
+    return "ply\nformat " + format + " 1.0\nelement vertex 2\n" + xyz() +
+           "element face 2\nproperty uchar a\nproperty list uchar int vertex_indices\n"
+           "property short b\nend_header\n" +
+           data;
+  };
+  const std::string text = file("ascii", "0 0 0\n1 1 1\n\n7 2 0 1 8\n");
+  const auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n'));
+  EXPECT_EQ(error_of(text + "7 0 8\n"), "");
+  EXPECT_EQ(
+      error_of(text + "\n7 3 0 1 2 8\n"),
+      "line " + std::to_string(lines + 2) + ": face 2 has vertex 2, but there are 2 vertices");
+  EXPECT_EQ(error_of(text + "7 1 -1 8\n"), "line " + std::to_string(lines + 1) +
+                                               ": face 2 has vertex -1, but there are 2 vertices");
+  using namespace std::string_literals;
+  const std::string binary =
+      file("binary_little_endian", std::string(24, '\0') + "\7\2\0\0\0\0\1\0\0\0\x8\0"s);
+  EXPECT_EQ(error_of(binary + "\7\1\1\0\0\0\x8\0"s), "");
+  EXPECT_EQ(error_of(binary + "\7\1\0\0\1\0\x8\0"s),
+            "byte " + std::to_string(binary.size()) +
+                ": face 2 has vertex 65536, but there are 2 vertices");
 }
 
 TEST(Ply, DoesNotBelieveHugeCounts) {

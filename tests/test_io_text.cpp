@@ -8,6 +8,7 @@
 #include "deburr/error.hpp"
 #include "deburr/io.hpp"
 #include "support/broken_files.hpp"
+#include "support/comma_locale.hpp"
 #include "support/same_cloud.hpp"
 #include "support/temp_dir.hpp"
 
@@ -104,6 +105,37 @@ TEST(Text, FindsColumnsByName) {
                 ElementsAre(Vec3{4, 5, 6}));
   }
   EXPECT_THAT(read(dir, "x y z nx ny\n1 2 3 4 5\n").normals, IsEmpty());
+}
+
+TEST(Text, TakesAByteOrderMarkForNothing) {
+  for (const std::string file :
+       {"1 2 3\n4 5 6\n", "x,y,z\n1,2,3\n4,5,6\n", "# c\n1 2 3\n4 5 6\n", "2\n1 2 3\n4 5 6\n",
+        "OFF\n2 0 0\n1 2 3\n4 5 6\n", "v 1 2 3\nv 4 5 6\n"}) {
+    const PointCloud cloud = parse_cloud({"marked", "\xef\xbb\xbf" + file, {}});
+    EXPECT_EQ(cloud.points, (std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}})) << file;
+    EXPECT_EQ(cloud.layout.encoding, parse_cloud({"plain", file, {}}).layout.encoding) << file;
+  }
+  EXPECT_EQ(error_of("\xef\xbb\xbf"), "empty file");
+  EXPECT_EQ(error_of("\xef\xbb\xbf\xfe\xff,x,y,z\n1,2,3,4\n"),
+            "not a point cloud, but UTF-16 text");
+}
+
+TEST(Text, FindsTypesThatChangeOnTheWay) {
+  const TempDir dir;
+  const PointCloud cloud = read(dir,
+                                "0 0 0 -0 1 99999999999999999999 5\n"
+                                "0 0 0 2 2 1 6\n"
+                                "# between\n"
+                                "0 0 0 0.5 a 1.5 7\n");
+  const auto& numbers = std::get<std::vector<double>>(cloud.attributes[0].values);
+  EXPECT_THAT(numbers, ElementsAre(0, 2, 0.5));
+  EXPECT_TRUE(std::signbit(numbers[0]));
+  EXPECT_THAT(std::get<std::vector<std::string>>(cloud.attributes[1].values),
+              ElementsAre("1", "2", "a"));
+  EXPECT_THAT(std::get<std::vector<double>>(cloud.attributes[2].values), ElementsAre(1e20, 1, 1.5));
+  EXPECT_THAT(std::get<std::vector<std::int64_t>>(cloud.attributes[3].values),
+              ElementsAre(5, 6, 7));
+  EXPECT_THAT(cloud.layout.comments, ElementsAre("between"));
 }
 
 TEST(Text, TellsNormalsFromOtherColumns) {
@@ -234,13 +266,10 @@ TEST(Text, WritesNoPointsSoThatTheyCanBeRead) {
 }
 
 TEST(Text, IsTheSameInEveryLocale) {
-  bool found = false;
-  for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8", "nl_NL.UTF-8"}) {
-    found = found || (std::setlocale(LC_ALL, name) != nullptr &&
-                      std::string(std::localeconv()->decimal_point) == ",");
-  }
-  if (!found) GTEST_SKIP() << "no locale with a decimal comma is installed";
   const TempDir dir;
+  if (!set_comma_locale(dir.path())) {
+    GTEST_SKIP() << "NOT TESTED: no locale with a decimal comma is installed or can be made";
+  }
   const PointCloud cloud = read(dir, "1.5 2.5 3.5 4.25\n");
   const std::string again = written(dir, cloud, "a.txt");
   ASSERT_NE(std::setlocale(LC_ALL, "C"), nullptr);

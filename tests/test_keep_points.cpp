@@ -29,7 +29,20 @@ DenoiseResult marked() {
                               .values = std::vector<float>{0, 20, 21, 22, 30, 31, 40},
                               .offsets = {0, 1, 1, 4, 6, 7}});
   cloud.layout.comments = {"kept"};
-  cloud.layout.elements.push_back({"face", 0, {}, false});
+  cloud.layout.elements = {
+      {"face",
+       4,
+       {{"vertex_indices",
+         std::vector<std::int32_t>{0, 1, 2, 2, 1, 1, 2, 4, 2, 1},
+         {0, 3, 6, 8, 10}},
+        {"color", std::vector<std::uint8_t>{10, 11, 12, 13}, {}}},
+       false},
+      {"edge",
+       3,
+       {{"vertex1", std::vector<std::uint16_t>{1, 2, 2}, {}},
+        {"vertex2", std::vector<std::uint16_t>{2, 9, 3}, {}}},
+       false},
+      {"strip", 1, {{"vertices", std::vector<std::int32_t>{1, 2}, {0, 2}}}, false}};
   result.labels = {Feature::Isolated, Feature::Edge, Feature::Surface, Feature::Isolated,
                    Feature::Isolated};
   result.displacement = {0, 0.1, 0.2, 0, 0};
@@ -52,7 +65,18 @@ TEST(KeepPoints, TakesOutliersOutOfEveryArray) {
   EXPECT_THAT(result.displacement, ElementsAre(0.1, 0.2));
   EXPECT_THAT(result.outliers, ElementsAre(0, 0));
   EXPECT_THAT(cloud.layout.comments, ElementsAre("kept"));
-  EXPECT_TRUE(cloud.layout.elements.empty());  // faces would name the wrong points
+  // Faces and edges that lose a point go; nobody knows what else refers to which point.
+  ASSERT_EQ(cloud.layout.elements.size(), 2U);
+  const Element& faces = cloud.layout.elements[0];
+  EXPECT_EQ(faces.size, 2U);
+  EXPECT_THAT(std::get<std::vector<std::int32_t>>(faces.attributes[0].values),
+              ElementsAre(1, 0, 0, 1, 0));
+  EXPECT_THAT(faces.attributes[0].offsets, ElementsAre(0, 3, 5));
+  EXPECT_THAT(std::get<std::vector<std::uint8_t>>(faces.attributes[1].values), ElementsAre(11, 13));
+  const Element& edges = cloud.layout.elements[1];
+  EXPECT_EQ(edges.size, 1U);
+  EXPECT_THAT(std::get<std::vector<std::uint16_t>>(edges.attributes[0].values), ElementsAre(0));
+  EXPECT_THAT(std::get<std::vector<std::uint16_t>>(edges.attributes[1].values), ElementsAre(1));
 }
 
 TEST(KeepPoints, KeepsAllOrNone) {
@@ -80,7 +104,7 @@ PointCloud numbered_cube() {
   std::vector<std::int32_t> number(cloud.size());
   for (std::size_t i = 0; i < number.size(); ++i) number[i] = static_cast<std::int32_t>(i);
   cloud.attributes = {{"number", number, {}}};
-  cloud.layout.elements.push_back({"face", 0, {}, false});
+  cloud.layout.elements.push_back({"strip", 0, {}, false});
   return cloud;
 }
 

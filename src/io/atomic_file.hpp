@@ -9,10 +9,12 @@ namespace deburr {
 
 /// A file that appears whole or not at all.
 ///
-/// The data go to a temporary file in the directory of the target, which commit() renames over the
-/// target. Without commit() the temporary is removed and the target is as before. A symbolic link
-/// stays, the file that it points to is replaced. What is no regular file (/dev/null, a pipe) is
-/// written directly, and so is the standard output, "-".
+/// The data go to a file without a name in the directory of the target, so that nothing is left of
+/// it if the program is killed; commit() gives it its name, and renames it over the target if there
+/// is one. File systems that have no such files get a temporary one. Without commit() the target is
+/// as before. A symbolic link stays, the file that it points to is replaced. What is no regular
+/// file (/dev/null, a pipe), or an open one (/dev/stdout), is written directly, and so is the
+/// standard output, "-".
 ///
 /// All functions throw IoError with the reason of the system.
 class AtomicFile {
@@ -28,13 +30,16 @@ class AtomicFile {
 
  private:
   [[noreturn]] void fail(std::string_view doing, int error) const;
+  [[nodiscard]] std::filesystem::path temporary_name(unsigned attempt) const;
   void open_temporary(bool replaces, unsigned mode);
+  void give_name();
   void close();
 
   std::filesystem::path path_;       ///< as the caller named it, for messages
   std::filesystem::path target_;     ///< the same with links followed
-  std::filesystem::path temporary_;  ///< empty when the target is written directly
+  std::filesystem::path temporary_;  ///< empty while there is none
   int fd_ = -1;
+  bool is_nameless_ = false;  ///< until commit()
 };
 
 }  // namespace deburr

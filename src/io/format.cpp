@@ -43,6 +43,9 @@ constexpr std::array<Format, 7> all_formats{{
     {text_names, match_text, read_text, write_text, false},
 }};
 
+/// Editors put it in front of text of any format.
+constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
+
 /// What a file is called in messages and in the lookup of its format.
 std::string name_of(const std::filesystem::path& path, std::string_view format) {
   if (!format.empty()) return std::string(format);
@@ -92,8 +95,10 @@ std::string lower_extension(const std::filesystem::path& path) {
 
 PointCloud parse_cloud(const Source& source, std::string_view name) {
   const Format* const format = name.empty() ? nullptr : &known_format(name);
-  if (source.data.empty()) source.fail("empty file");
-  return (format != nullptr ? *format : find_format(source)).read(source);
+  Source content = source;
+  while (content.data.starts_with(utf8_mark)) content.data.remove_prefix(utf8_mark.size());
+  if (content.data.empty()) source.fail("empty file");
+  return (format != nullptr ? *format : find_format(content)).read(content);
 }
 
 PointCloud read_cloud(const std::filesystem::path& path, const std::function<bool()>& cancelled,

@@ -11,11 +11,17 @@ namespace deburr {
 /// file goes into first touches of small ones. A hint: whether it is followed changes no result.
 void prefer_large_pages(void* begin, std::size_t bytes);
 
+/// As values.reserve(size), for an empty vector.
+template <typename T>
+void reserve_large(std::vector<T>& values, std::size_t size) {
+  values.reserve(size);
+  prefer_large_pages(values.data(), size * sizeof(T));
+}
+
 /// As values.resize(size), for an empty vector.
 template <typename T>
 void resize_large(std::vector<T>& values, std::size_t size) {
-  values.reserve(size);
-  prefer_large_pages(values.data(), size * sizeof(T));
+  reserve_large(values, size);
   values.resize(size);
 }
 

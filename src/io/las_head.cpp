@@ -57,14 +57,17 @@ void store_bound(std::string& head, std::size_t place, double bound, double step
   if (!(std::abs(before - bound) <= same * std::abs(step))) store_little(head, place, bound);
 }
 
-/// Waveforms may stand in one of the extended records.
-void store_waveforms(std::string& head, std::uint64_t end, const std::vector<LasRecord>& records) {
+/// Waveforms may stand in one of the extended records; version 1.3 has no other, whatever its name.
+void store_waveforms(std::string& head, unsigned minor, std::uint64_t end,
+                     const std::vector<LasRecord>& records) {
   if (load_little<std::uint64_t>(head, las_at::waveforms) == 0) return;
   for (const LasRecord& r : records) {
     if (!r.is_extended) continue;
-    if (r.is(las_spec, las_waveform_id)) return store_little(head, las_at::waveforms, end);
+    const bool is_wanted = minor == 3 || r.is(las_spec, las_waveform_id);
+    if (is_wanted) return store_little(head, las_at::waveforms, end);
     end += r.bytes.size();
   }
+  if (minor == 3) store_little(head, las_at::waveforms, std::uint64_t{0});
 }
 
 }  // namespace
@@ -130,7 +133,7 @@ std::string format_las_head(const std::string& header, unsigned minor, const Las
     store_bound(head, las_at::box + 16 * k + 8, counts.low[k], grid.scale[k]);
   }
   store_counts(head, minor, plan, counts);
-  if (minor >= 3) store_waveforms(head, end, records);
+  if (minor >= 3) store_waveforms(head, minor, end, records);
   if (minor >= 4) {
     store_little(head, las_at::extended_start, extended > 0 ? end : std::uint64_t{0});
     store_little(head, las_at::extended_count, extended);

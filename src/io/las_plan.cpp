@@ -30,6 +30,11 @@ Range range_of(const Attribute& attribute) {
       [&]<typename T>(const std::vector<T>& values) {
         if constexpr (std::is_same_v<T, std::string>) {
           range.all_integers = false;
+        } else if constexpr (std::is_integral_v<T> && sizeof(T) <= 4) {
+          if (values.empty()) return;
+          const auto [least, most] = std::ranges::minmax(values);
+          range.least = least;
+          range.most = most;
         } else {
           for (const T value : values) {
             const auto real = static_cast<double>(value);

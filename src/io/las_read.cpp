@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The deburr authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <deque>
-#include <numeric>
-#include <set>
+#include <array>
 
 #include "io/bytes.hpp"
 #include "io/fields.hpp"
@@ -11,12 +9,13 @@
 #include "io/las_extra.hpp"
 #include "io/las_fields.hpp"
 #include "io/las_header.hpp"
+#include "io/las_layout.hpp"
 #include "io/scalar_type.hpp"
 
 namespace deburr {
 namespace {
 
-constexpr std::size_t block = 1024;  ///< points that are read at once, which stay in the cache
+constexpr std::size_t block = 512;  ///< points that are read at once, which stay in the cache
 
 class LasReader {
  public:
@@ -30,12 +29,13 @@ class LasReader {
     for (std::size_t begin = 0; begin < header_.points; begin += block) {
       source_.check_cancelled();
       const std::size_t end = std::min(header_.points, begin + block);
+      gathered_ = 0;
       read_coordinates(begin, end);
       for (std::size_t k = 0; k < fields_.size(); ++k) read_field(k, begin, end);
       for (std::size_t k = 0; k < extras_.size(); ++k) read_extra(k, begin, end);
     }
-    resolve_names();
-    make_layout();
+    name_las_columns(cloud_, extras_, roles_);
+    cloud_.layout = las_layout(cloud_, header_, extras_, roles_);
     return std::move(cloud_);
   }
 
@@ -100,8 +100,9 @@ class LasReader {
 
   void read_coordinates(std::size_t begin, std::size_t end) {
     const LasGrid& g = header_.grid;
-    for (std::size_t i = begin; i < end; ++i) {
-      const char* const p = point(i);
+    const char* p = point(begin);
+    const std::size_t stride = header_.point_bytes;
+    for (std::size_t i = begin; i < end; ++i, p += stride) {
       cloud_.points[i] = {load_little<std::int32_t>(p) * g.scale[0] + g.offset[0],
                           load_little<std::int32_t>(p + 4) * g.scale[1] + g.offset[1],
                           load_little<std::int32_t>(p + 8) * g.scale[2] + g.offset[2]};
@@ -110,18 +111,36 @@ class LasReader {
 
   void read_field(std::size_t k, std::size_t begin, std::size_t end) {
     const LasField& field = fields_[k];
+    if (field.bits > 0) return read_bits(k, begin, end);
     with_number_type(field.type, [&]<typename T>(std::type_identity<T>) {
-      auto& values = std::get<std::vector<T>>(cloud_.attributes[k].values);
-      for (std::size_t i = begin; i < end; ++i) {
-        const T value = load_little<T>(point(i) + field.byte);
-        if constexpr (std::is_same_v<T, std::uint8_t>) {
-          const unsigned mask = field.bits == 0 ? 0xffU : (1U << field.bits) - 1;
-          values[i] = static_cast<T>((static_cast<unsigned>(value) >> field.shift) & mask);
-        } else {
-          values[i] = value;
-        }
-      }
+      T* const to = std::get<std::vector<T>>(cloud_.attributes[k].values).data();
+      fetch(field.byte, begin, end, to + begin);
     });
+  }
+
+  /// The values at a place in each of the points [begin, end).
+  template <typename T>
+  void fetch(std::size_t byte, std::size_t begin, std::size_t end, T* to) const {
+    // Copies, since a byte that is stored could be part of any object.
+    const char* from = point(begin) + byte;
+    const std::size_t stride = header_.point_bytes;
+    for (std::size_t n = end - begin; n > 0; --n, from += stride) *to++ = load_little<T>(from);
+  }
+
+  /// Fields that share a byte stand one after the other: it is fetched once for all of them.
+  void read_bits(std::size_t k, std::size_t begin, std::size_t end) {
+    const LasField& field = fields_[k];
+    if (gathered_ != field.byte) {
+      gathered_ = field.byte;
+      fetch(field.byte, begin, end, bytes_.data());
+    }
+    auto& values = std::get<std::vector<std::uint8_t>>(cloud_.attributes[k].values);
+    std::uint8_t* const to = values.data() + begin;
+    const unsigned mask = (1U << field.bits) - 1;
+    const unsigned shift = field.shift;
+    for (std::size_t i = 0; i < end - begin; ++i) {
+      to[i] = static_cast<std::uint8_t>((unsigned{bytes_[i]} >> shift) & mask);
+    }
   }
 
   void read_extra(std::size_t k, std::size_t begin, std::size_t end) {
@@ -157,86 +176,14 @@ class LasReader {
     });
   }
 
-  static bool is_zero(const Attribute& attribute) {
-    return std::visit(
-        []<typename T>(const std::vector<T>& values) {
-          return std::ranges::all_of(values, [](const T& value) { return value == T{}; });
-        },
-        attribute.values);
-  }
-
-  /// Extra bytes can have any name, also one that is taken. If they have that of a field that is 0
-  /// everywhere, the field is what goes: a writer puts its zeros back.
-  void resolve_names() {
-    std::set<std::string> taken{"x", "y", "z"};
-    if (!cloud_.normals.empty()) {
-      for (std::size_t k = 0; k < extras_.size(); ++k) {
-        if (roles_[k] != no_role) taken.insert(extras_[k].name);
-      }
-    }
-    std::vector<Attribute> kept;
-    const auto first_extra =
-        cloud_.attributes.begin() + static_cast<std::ptrdiff_t>(fields_.size());
-    for (auto a = cloud_.attributes.begin(); a != first_extra; ++a) {
-      const bool wanted =
-          std::any_of(first_extra, cloud_.attributes.end(),
-                      [&](const Attribute& extra) { return extra.name == a->name; });
-      if (wanted && is_zero(*a)) continue;
-      taken.insert(a->name);
-      kept.push_back(std::move(*a));
-    }
-    for (auto a = first_extra; a != cloud_.attributes.end(); ++a) {
-      while (!taken.insert(a->name).second) a->name += '_';
-      kept.push_back(std::move(*a));
-    }
-    cloud_.attributes = std::move(kept);
-  }
-
-  void make_layout() {
-    FileLayout& layout = cloud_.layout;
-    layout.encoding = Encoding::Las;
-    for (const char* name : {"x", "y", "z"}) layout.fields.push_back({name, ScalarType::Float64});
-    const std::size_t extras_kept = static_cast<std::size_t>(std::ranges::count(roles_, no_role));
-    const std::size_t fields_kept = cloud_.attributes.size() - extras_kept;
-    auto attribute = cloud_.attributes.begin();
-    const auto add_attribute = [&] {
-      layout.fields.push_back({attribute->name, attribute->type()});
-      ++attribute;
-    };
-    for (std::size_t k = 0; k < fields_kept; ++k) add_attribute();
-    for (std::size_t k = 0; k < extras_.size(); ++k) {
-      if (roles_[k] == no_role) {
-        add_attribute();
-      } else {
-        layout.fields.push_back({extras_[k].name, extras_[k].value_type()});
-      }
-    }
-    layout.blocks.push_back({"LAS header", header_.bytes});
-    for (const LasRecord& record : header_.records) {
-      if (!record.is_extended && record.description() == las_comments &&
-          record.is(las_spec, las_text_id)) {
-        add_comments(record.data());
-      } else {
-        layout.blocks.push_back({record.name(), record.bytes});
-      }
-    }
-    if (!header_.gap.empty()) layout.blocks.push_back({"LAS gap", header_.gap});
-  }
-
-  void add_comments(std::string_view text) {
-    while (!text.empty()) {
-      const std::size_t end = std::min(text.find('\n'), text.size());
-      cloud_.layout.comments.emplace_back(text.substr(0, end));
-      text.remove_prefix(std::min(end + 1, text.size()));
-    }
-  }
-
   const Source& source_;
   LasHeader header_;
   std::vector<LasField> fields_;
   std::vector<LasExtra> extras_;
   std::vector<std::size_t> extra_places_;
   std::vector<int> roles_;  ///< of the extras
+  std::array<std::uint8_t, block> bytes_{};
+  std::size_t gathered_ = 0;  ///< the byte of a point that bytes_ has of this block; 0 for none
   PointCloud cloud_;
 };
 

@@ -17,7 +17,9 @@
 namespace deburr {
 namespace {
 
-constexpr std::size_t block = 4096;  ///< points that are written at once
+constexpr std::size_t block =
+    512;  ///< points that are put together at once, which stay in the cache
+constexpr std::size_t most_buffered = std::size_t{1} << 18;  ///< bytes, until they are written
 
 class LasWriter {
  public:
@@ -40,7 +42,7 @@ class LasWriter {
     buffer_ = format_las_head(header_, old_.minor, plan_, grid_.grid, counts_, records_, gap_);
     for (std::size_t begin = 0; begin < cloud_.size(); begin += block) {
       append_points(begin, std::min(cloud_.size(), begin + block));
-      job_.flush(buffer_);
+      if (buffer_.size() >= most_buffered) job_.flush(buffer_);
     }
     for (const LasRecord& record : records_) {
       if (record.is_extended) buffer_ += record.bytes;
@@ -114,10 +116,9 @@ class LasWriter {
     const std::size_t start = buffer_.size();
     buffer_.resize(start + (end - begin) * stride);
     char* const to = buffer_.data() + start;
-    for (std::size_t i = begin; i < end; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        store_little(to + (i - begin) * stride + 4 * k, grid_.integers[3 * i + k]);
-      }
+    const std::int32_t* from = grid_.integers.data() + 3 * begin;
+    for (std::size_t i = 0; i < end - begin; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) store_little(to + i * stride + 4 * k, *from++);
     }
     for (const LasFieldSource& source : plan_.fields) {
       store_field(source, to + source.field.byte, begin, end);
@@ -143,12 +144,15 @@ class LasWriter {
         [&]<typename V>(const std::vector<V>& values) {
           if constexpr (!std::is_same_v<V, std::string>) {
             with_number_type(field.type, [&]<typename T>(std::type_identity<T>) {
+              // A copy, since a byte that is stored could be part of any object.
+              const V* const from = values.data();
+              const unsigned shift = field.shift;
               for (std::size_t i = begin; i < end; ++i, to += stride) {
                 // A signed byte is a number here. NOLINTNEXTLINE(bugprone-signed-char-misuse)
-                const T value = static_cast<T>(values[i]);
+                const T value = static_cast<T>(from[i]);
                 if constexpr (std::is_same_v<T, std::uint8_t>) {
                   *to = static_cast<char>(static_cast<unsigned char>(*to) |
-                                          static_cast<unsigned>(value) << field.shift);
+                                          static_cast<unsigned>(value) << shift);
                 } else {
                   store_little(to, value);
                 }

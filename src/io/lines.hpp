@@ -10,23 +10,35 @@ namespace deburr {
 
 inline constexpr std::string_view blanks = " \t\r\v\f";
 
-inline constexpr bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
-}
+/// As blanks, which are neighbours in ASCII but for the space and the line end among them.
+inline constexpr bool is_blank(char c) { return c == ' ' || ('\t' <= c && c <= '\r' && c != '\n'); }
 
-inline std::string_view trim(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+// By hand: find_first_not_of() searches in its set with a call for every character.
+inline constexpr std::string_view trim(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
 }
 
 /// Takes the next run of non-blank characters off the front of `rest`; empty at its end.
 inline std::string_view next_token(std::string_view& rest) {
-  const auto* const begin = std::find_if_not(rest.begin(), rest.end(), is_blank);
-  const auto* const end = std::find_if(begin, rest.end(), is_blank);
-  const std::string_view token(begin, end);
-  rest = std::string_view(end, rest.end());
+  while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
+  std::size_t size = 0;
+  while (size < rest.size() && !is_blank(rest[size])) ++size;
+  const std::string_view token = rest.substr(0, size);
+  rest.remove_prefix(size);
   return token;
+}
+
+/// Number of lines, nearly: for those that no line end closes, or that end in several ways, it may
+/// be too small.
+inline std::size_t count_lines(std::string_view text) {
+  const char end = text.find('\n') != std::string_view::npos ? '\n' : '\r';
+  std::size_t count = 1;
+  for (std::size_t at = text.find(end); at != std::string_view::npos; at = text.find(end, at + 1)) {
+    ++count;
+  }
+  return count;
 }
 
 /// Goes through the lines of a text, which end with "\n" or "\r\n", and with "\r" alone where its

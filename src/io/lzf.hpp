@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // The LZF compression that binary_compressed PCD files use: literals behind a byte below 32 that
 // tells how many less one; otherwise a copy of earlier bytes, of length (byte >> 5) + 2, where 7
@@ -15,11 +16,31 @@ namespace deburr {
 /// No byte of input gives more bytes of output than this.
 inline constexpr std::size_t lzf_most_growth = 88;
 
-/// @param size  of the result
-/// @return none if the data are damaged or have another size
-[[nodiscard]] std::optional<std::string> lzf_unpack(std::string_view packed, std::size_t size);
+/// Unpacks piece by piece, so that the whole is never in memory.
+class LzfUnpacker {
+ public:
+  explicit LzfUnpacker(std::string_view packed);
 
-/// Never longer than 33/32 of the data and one byte.
-[[nodiscard]] std::string lzf_pack(std::string_view data);
+  /// The next bytes.
+  /// @return false if the data are damaged, or end before
+  [[nodiscard]] bool read(char* to, std::size_t size);
+  /// Whether all has been read.
+  [[nodiscard]] bool at_end() const { return taken_ == end_ && at_ == packed_.size(); }
+
+ private:
+  [[nodiscard]] bool fill();
+  [[nodiscard]] bool unpack_literals(std::size_t code);
+  [[nodiscard]] bool unpack_copy(std::size_t code);
+
+  std::string_view packed_;
+  std::size_t at_ = 0;
+  std::vector<char> window_;  ///< what copies may reach back to, and what nobody has read yet
+  std::size_t taken_ = 0;     ///< of the window
+  std::size_t end_ = 0;       ///< of the window
+};
+
+/// Packs the data and appends them; what is appended piece by piece unpacks as one. A piece never
+/// grows to more than 33/32 of it and one byte.
+void lzf_append(std::string& packed, std::string_view data);
 
 }  // namespace deburr

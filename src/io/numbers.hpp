@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <concepts>
@@ -55,7 +56,7 @@ inline bool is_number(std::string_view token) { return parse_number<double>(toke
 /// Whether the token has the form of an integer, of any size.
 inline bool is_integer(std::string_view token) {
   if (token.starts_with('+') || token.starts_with('-')) token.remove_prefix(1);
-  return !token.empty() && token.find_first_not_of("0123456789") == std::string_view::npos;
+  return !token.empty() && std::ranges::all_of(token, [](char c) { return '0' <= c && c <= '9'; });
 }
 
 /// Appends the shortest text that reads back as the same value, without an exponent where that is

@@ -24,7 +24,8 @@ inline constexpr char obj_run_mark = '\x01';
 /// Whether a line of an OBJ file may begin with this word.
 [[nodiscard]] bool is_obj_keyword(std::string_view word);
 
-/// Whether a value is exactly a multiple of 1/255 in [0, 1]: this is how bytes are written.
-[[nodiscard]] bool is_byte_color(double value);
+/// Whether a real number is one of the integers 0 to `most` divided by `most`, to the last bit:
+/// what is written for colours of that many steps.
+[[nodiscard]] bool is_color_step(double value, unsigned most);
 
 }  // namespace deburr

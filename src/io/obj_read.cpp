@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 
+#include "io/colors.hpp"
 #include "io/faces.hpp"
 #include "io/obj.hpp"
 #include "io/obj_lines.hpp"
@@ -178,25 +181,34 @@ class ObjReader {
     if (has_texture_ && other_keywords_.empty()) other_keywords_.emplace_back("f");
   }
 
+  /// Colours in steps of 1/255 are bytes, in steps of 1/65535 they have 16 bits.
   void add_colors() {
-    constexpr std::array names{"red", "green", "blue", "alpha"};
-    const bool are_bytes =
-        std::all_of(extra_.begin(), extra_.begin() + static_cast<std::ptrdiff_t>(extra_count_),
-                    [](const auto& values) { return std::ranges::all_of(values, is_byte_color); });
+    const auto have_steps = [&](unsigned most) {
+      return std::all_of(extra_.begin(), extra_.begin() + static_cast<std::ptrdiff_t>(extra_count_),
+                         [&](const std::vector<double>& values) {
+                           return std::ranges::all_of(
+                               values, [&](double v) { return is_color_step(v, most); });
+                         });
+    };
+    const bool are_bytes = have_steps(255);
+    const bool are_words = !are_bytes && have_steps(65535);
     for (std::size_t k = 0; k < extra_count_; ++k) {
-      Attribute attribute{names.at(k), {}, {}};
-      if (are_bytes) {
-        std::vector<std::uint8_t> bytes;
-        for (const double value : extra_[k]) {
-          bytes.push_back(static_cast<std::uint8_t>(std::lround(255 * value)));
-        }
-        attribute.values = std::move(bytes);
-      } else {
-        attribute.values = std::move(extra_[k]);
-      }
+      Attribute attribute{color_names.at(k), std::move(extra_[k]), {}};
+      if (are_bytes) attribute.values = steps<std::uint8_t>(attribute.values);
+      if (are_words) attribute.values = steps<std::uint16_t>(attribute.values);
       cloud_.layout.fields.push_back({attribute.name, attribute.type()});
       cloud_.attributes.push_back(std::move(attribute));
     }
+  }
+
+  template <typename T>
+  static Values steps(const Values& fractions) {
+    const auto& from = std::get<std::vector<double>>(fractions);
+    std::vector<T> values;
+    values.reserve(from.size());
+    constexpr double most = std::numeric_limits<T>::max();
+    for (const double value : from) values.push_back(static_cast<T>(std::lround(most * value)));
+    return values;
   }
 
   const Source& source_;

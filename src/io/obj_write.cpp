@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "io/colors.hpp"
 #include "io/comments.hpp"
 #include "io/faces.hpp"
 #include "io/fields.hpp"
@@ -76,23 +77,18 @@ class ObjWriter {
 
   /// The attributes that a vertex line can have behind its place: colours, or w.
   void find_numbers() {
-    const auto find = [&](std::string_view name) -> const Attribute* {
-      const auto found = std::ranges::find(cloud_.attributes, name, &Attribute::name);
-      const bool usable = found != cloud_.attributes.end() && !found->is_list() &&
-                          found->type() != ScalarType::Text;
-      return usable ? &*found : nullptr;
-    };
-    for (const char* name : {"red", "green", "blue", "alpha"}) {
-      if (const Attribute* const color = find(name)) numbers_.push_back(color);
+    const Colors colors = find_colors(cloud_);
+    for (std::size_t k = 0; k < colors.count(); ++k) {
+      numbers_.push_back(colors.of.at(k));
+      // Real numbers are written as they are.
+      divisors_.push_back(std::max(1U, colors.most.at(k)));
     }
-    const bool all_bytes = std::ranges::all_of(
-        numbers_, [](const Attribute* a) { return a->type() == ScalarType::UInt8; });
-    const bool no_bytes = std::ranges::none_of(
-        numbers_, [](const Attribute* a) { return is_integer_type(a->type()); });
-    const bool is_rgb = numbers_.size() >= 3 && numbers_[2]->name == "blue";
-    if (!is_rgb || (!all_bytes && !no_bytes)) numbers_.clear();
     if (numbers_.empty() && cloud_.layout.encoding == Encoding::Obj) {
-      if (const Attribute* const w = find("w")) numbers_.push_back(w);
+      const auto w = std::ranges::find(cloud_.attributes, "w", &Attribute::name);
+      if (w != cloud_.attributes.end() && !w->is_list() && w->type() != ScalarType::Text) {
+        numbers_.push_back(&*w);
+        divisors_.push_back(1);
+      }
     }
     for (const Attribute& a : cloud_.attributes) {
       if (std::ranges::find(numbers_, &a) == numbers_.end()) losses_.add(a);
@@ -143,17 +139,17 @@ class ObjWriter {
       if (i % block == 0) job_.flush(buffer_);
       buffer_ += 'v';
       for (const double Vec3::*axis : axes) append_number(buffer_ += ' ', cloud_.points[i].*axis);
-      for (const Attribute* a : numbers_) append_value(*a, i);
+      for (std::size_t k = 0; k < numbers_.size(); ++k) append_value(*numbers_[k], divisors_[k], i);
       buffer_ += '\n';
     }
   }
 
-  void append_value(const Attribute& attribute, std::size_t i) {
+  void append_value(const Attribute& attribute, unsigned divisor, std::size_t i) {
     buffer_ += ' ';
     std::visit(
         [&]<typename T>(const std::vector<T>& values) {
-          if constexpr (std::is_same_v<T, std::uint8_t>) {
-            append_number(buffer_, values[i] / 255.0);
+          if constexpr (std::is_integral_v<T>) {
+            append_number(buffer_, static_cast<double>(values[i]) / divisor);
           } else if constexpr (!std::is_same_v<T, std::string>) {
             append_number(buffer_, values[i]);
           }
@@ -180,7 +176,8 @@ class ObjWriter {
   const PointCloud& cloud_;
   std::vector<Column> columns_;
   const std::string* kept_ = nullptr;
-  std::vector<const Attribute*> numbers_;
+  std::vector<const Attribute*> numbers_;  ///< behind each vertex
+  std::vector<unsigned> divisors_;         ///< of them
   Faces faces_;
   Losses losses_{"OBJ"};
   std::string buffer_;
@@ -194,9 +191,9 @@ bool is_obj_keyword(std::string_view word) {
   return std::ranges::find(keywords, word) != keywords.end();
 }
 
-bool is_byte_color(double value) {
+bool is_color_step(double value, unsigned most) {
   if (!(value >= 0 && value <= 1) || std::signbit(value)) return false;
-  return static_cast<double>(std::lround(255 * value)) / 255.0 == value;
+  return static_cast<double>(std::lround(most * value)) / most == value;
 }
 
 std::vector<std::string> write_obj(const WriteJob& job) { return ObjWriter(job).write(); }

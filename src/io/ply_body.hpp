@@ -31,6 +31,18 @@ inline bool needs_swap(Encoding encoding) {
   return (encoding == Encoding::PlyLittleEndian) != (std::endian::native == std::endian::little);
 }
 
+/// Where something stands in a file.
+struct PlyPlace {
+  std::size_t offset = 0;
+  std::size_t line = 0;  ///< number of lines before it, in ASCII
+};
+
+/// Refuses faces with a corner that is no vertex.
+/// @param start  where the element begins
+/// @throws IoError  naming line or byte
+void check_faces(const Source& source, Encoding encoding, const PlyPlace& start,
+                 const Element& element, std::size_t vertices);
+
 /// Reads the items of one element from a position on.
 class PlyBodyReader {
  public:
@@ -40,6 +52,8 @@ class PlyBodyReader {
   /// Refuses an element with more items than the rest of the file can hold; to be called before
   /// memory is taken for them.
   void check_size(const PlyElement& element) const;
+  /// Where the next element begins.
+  [[nodiscard]] PlyPlace place() const { return {offset_, line_}; }
   /// Fills targets whose scalar attributes and vectors have the size of the element.
   void read(const PlyElement& element, std::vector<PlyTarget>& targets);
 

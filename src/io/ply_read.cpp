@@ -87,11 +87,13 @@ PointCloud read_ply(const Source& source) {
   PlyBodyReader body(source, header);
   for (const PlyElement& element : header.elements) {
     body.check_size(element);
+    const PlyPlace start = body.place();
     if (&element == &*vertex) {
       read_vertices(body, element, cloud);
     } else {
       cloud.layout.elements.push_back(read_element(body, element));
       cloud.layout.elements.back().before_points = &element < &*vertex;
+      check_faces(source, header.encoding, start, cloud.layout.elements.back(), vertex->size);
     }
   }
   cloud.layout.encoding = header.encoding;

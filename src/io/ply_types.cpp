@@ -71,6 +71,7 @@ bool all_fit(const std::vector<T>& values, ScalarType type) {
 bool hold_exactly(const std::vector<Column>& columns, int first_role, bool is_text) {
   return std::ranges::all_of(columns, [&](const Column& c) {
     if (c.role < first_role || c.role >= first_role + 3) return true;
+    if (!is_ply_type(c.type)) return false;
     for (std::size_t i = 0; i < c.vectors->size(); ++i) {
       if (!holds(c.type, c.coordinate(i), is_text)) return false;
     }

@@ -116,11 +116,18 @@ class StlWriter {
       if (face % block == 0) job_.flush(buffer_);
       const std::span<const std::uint32_t> indices = faces_[face];
       for (std::size_t k = 2; k < indices.size(); ++k) {
-        const std::array<Vec3, 3> corners{cloud_.points[indices[0]], cloud_.points[indices[k - 1]],
-                                          cloud_.points[indices[k]]};
+        const std::array<Vec3, 3> corners{place(indices[0]), place(indices[k - 1]),
+                                          place(indices[k])};
         f(face, corners, normal(face, corners));
       }
     }
+  }
+
+  /// A point as it is written, so that the normal is that of the face that will be read.
+  [[nodiscard]] Vec3 place(std::uint32_t i) const {
+    const Vec3& p = cloud_.points[i];
+    if (is_text_) return p;
+    return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
   }
 
   /// The normal of the input stays, to the last bit, where it still is one; zero stands for none.

@@ -5,35 +5,16 @@
 #include <algorithm>
 
 #include "io/fields.hpp"
+#include "io/large_pages.hpp"
 #include "io/lines.hpp"
 #include "io/numbers.hpp"
 #include "io/text.hpp"
+#include "io/text_column.hpp"
 #include "io/text_shape.hpp"
 #include "io/text_split.hpp"
 
 namespace deburr {
 namespace {
-
-/// What all values of a column have in common so far.
-struct ColumnKind {
-  bool all_integers = true;  ///< in form
-  bool all_fit = true;       ///< the integers, into 64 bits
-  bool all_numbers = true;
-
-  void add(std::string_view token) {
-    if (all_integers) {
-      all_integers = is_integer(token);
-      if (all_integers && parse_number<std::int64_t>(token)) return;
-      all_fit = false;
-    }
-    if (all_numbers) all_numbers = is_number(token);
-  }
-  /// Integers too large for their type stay text, which loses nothing.
-  [[nodiscard]] ScalarType type() const {
-    if (all_integers) return all_fit ? ScalarType::Int64 : ScalarType::Text;
-    return all_numbers ? ScalarType::Float64 : ScalarType::Text;
-  }
-};
 
 class TextReader {
  public:
@@ -41,22 +22,20 @@ class TextReader {
       : source_(source),
         shape_(find_shape(source)),
         roles_(find_roles(shape_.names)),
-        kinds_(shape_.names.size()) {}
+        columns_(shape_.names.size()) {}
 
   PointCloud read() {
-    survey();
-    if (shape_.announced && *shape_.announced != rows_) {
-      source_.fail(
-          fmt::format("line 1: the file announces {} points and has {}", *shape_.announced, rows_));
+    reserve();
+    read_rows();
+    if (shape_.announced && *shape_.announced != cloud_.size()) {
+      source_.fail(fmt::format("line 1: the file announces {} points and has {}", *shape_.announced,
+                               cloud_.size()));
     }
-    find_normals();
-    PointCloud cloud;
-    make_columns(cloud);
-    fill(cloud);
-    cloud.layout.encoding = Encoding::Text;
-    cloud.layout.text = shape_.layout;
-    cloud.layout.comments = std::move(comments_);
-    return cloud;
+    if (!may_have_normals_ && std::ranges::count(roles_, 3) == 0) cloud_.normals = {};
+    if (may_have_normals_) take_normals();
+    read_stale_columns();
+    complete();
+    return std::move(cloud_);
   }
 
  private:
@@ -64,94 +43,113 @@ class TextReader {
     source_.fail(fmt::format("line {}: {}", line_, what));
   }
 
+  void reserve() {
+    may_have_normals_ = shape_.layout.header == TextHeader::None && shape_.names.size() == 6;
+    // A value takes two bytes, with what is between it and the next.
+    const std::size_t most =
+        source_.data.size() / (2 * std::max<std::size_t>(3, roles_.size())) + 1;
+    const std::size_t rows = std::min(count_lines(source_.data), most);
+    reserve_large(cloud_.points, rows);
+    if (std::ranges::count(roles_, 3) > 0) reserve_large(cloud_.normals, rows);
+    for (TextColumn& column : columns_) column.expect(rows);
+  }
+
   /// Calls f() with the fields of each row in fields_.
-  template <typename F>
-  void for_each_row(const F& f) {
+  template <typename F, typename G>
+  void for_each_row(const F& f, const G& on_comment) {
     Lines lines(source_.data, shape_.offset, shape_.lines);
     std::size_t row = 0;
     while (lines.next_full()) {
       line_ = lines.number();
       if (row % 4096 == 0) source_.check_cancelled();
       if (const auto comment = parse_comment(lines.line())) {
-        f(0, comment);
+        on_comment(*comment);
         continue;
       }
       if (!split(lines.line(), shape_.layout.separator, fields_)) fail("a quote does not end");
       if (fields_.size() != shape_.names.size()) {
         fail(fmt::format("{} columns, but {} before", fields_.size(), shape_.names.size()));
       }
-      f(row++, std::nullopt);
+      ++row;
+      f();
     }
   }
 
-  /// First pass: counts the rows and finds the types of the columns.
-  void survey() {
-    const bool may_have_normals =
-        shape_.layout.header == TextHeader::None && shape_.names.size() == 6;
-    bool all_normals = may_have_normals;
-    bool any_unit = false;
-    constexpr double not_a_normal = 2;
+  void read_rows() {
     comments_ = shape_.comments;
-    for_each_row([&](std::size_t, const std::optional<CommentLine>& comment) {
-      if (comment) {
-        if (comments_.empty()) shape_.layout.mark = comment->mark;
-        comments_.emplace_back(comment->text);
-        return;
-      }
-      ++rows_;
-      for (std::size_t k = 0; k < fields_.size(); ++k) {
-        if (roles_[k] == no_role) kinds_[k].add(fields_[k].text);
-        if (roles_[k] == no_role && !kinds_[k].all_numbers && !fields_[k].is_quoted &&
-            is_decimal_comma(fields_[k].text)) {
-          fail(decimal_comma_error);
-        }
-      }
-      if (!all_normals) return;
-      const auto number = [&](std::size_t k) {
-        return parse_number<double>(fields_[k].text).value_or(not_a_normal);
-      };
-      const Vec3 v{number(3), number(4), number(5)};
-      all_normals = v == Vec3{} || looks_like_unit(v);
-      any_unit = any_unit || v != Vec3{};
-    });
-    has_normals_ = all_normals && any_unit;
+    const bool has_normals = std::ranges::count(roles_, 3) > 0;
+    for_each_row(
+        [&] {
+          Vec3& point = cloud_.points.emplace_back();
+          if (has_normals) cloud_.normals.emplace_back();
+          for (std::size_t k = 0; k < fields_.size(); ++k) {
+            if (roles_[k] == no_role) {
+              columns_[k].add(fields_[k]);
+              check_commas(k);
+            } else {
+              Vec3& vector = roles_[k] < 3 ? point : cloud_.normals.back();
+              vector.*axes[static_cast<std::size_t>(roles_[k]) % 3] = coordinate(k);
+            }
+          }
+          if (may_have_normals_) look_for_normal();
+        },
+        [&](const CommentLine& comment) {
+          if (comments_.empty()) shape_.layout.mark = comment.mark;
+          comments_.emplace_back(comment.text);
+        });
   }
 
-  void find_normals() {
-    if (!has_normals_) return;
+  void check_commas(std::size_t k) const {
+    if (columns_[k].all_numbers() || fields_[k].is_quoted) return;
+    if (is_decimal_comma(fields_[k].text)) fail(decimal_comma_error);
+  }
+
+  /// Gathers normals as long as the last three of six columns look like them.
+  void look_for_normal() {
+    constexpr double not_a_normal = 2;
+    const auto number = [&](std::size_t k) {
+      return parse_number<double>(fields_[k].text).value_or(not_a_normal);
+    };
+    const Vec3 v{number(3), number(4), number(5)};
+    may_have_normals_ = v == Vec3{} || looks_like_unit(v);
+    cloud_.normals.push_back(v);
+  }
+
+  void take_normals() {
+    // Zeros alone are no normals.
+    if (std::ranges::all_of(cloud_.normals, [](const Vec3& n) { return n == Vec3{}; })) {
+      cloud_.normals.clear();
+      return;
+    }
     for (std::size_t k = 3; k < 6; ++k) shape_.names[k] = role_names[k];
     roles_ = find_roles(shape_.names);
   }
 
-  void make_columns(PointCloud& cloud) const {
-    cloud.points.resize(rows_);
-    if (std::ranges::count(roles_, 3) > 0) cloud.normals.resize(rows_);
-    for (std::size_t k = 0; k < roles_.size(); ++k) {
-      const ScalarType type = roles_[k] == no_role ? kinds_[k].type() : ScalarType::Float64;
-      cloud.layout.fields.push_back({shape_.names[k], type});
-      if (roles_[k] != no_role) continue;
-      Attribute attribute{shape_.names[k], {}, {}};
-      if (type == ScalarType::Int64) attribute.values = std::vector<std::int64_t>(rows_);
-      if (type == ScalarType::Float64) attribute.values = std::vector<double>(rows_);
-      if (type == ScalarType::Text) attribute.values = std::vector<std::string>(rows_);
-      cloud.attributes.push_back(std::move(attribute));
+  /// A second pass for columns whose type changed on the way, e.g. from 1 to 1.5.
+  void read_stale_columns() {
+    std::vector<std::size_t> stale;
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      if (roles_[k] == no_role && columns_[k].is_stale()) stale.push_back(k);
     }
+    if (stale.empty()) return;
+    for (const std::size_t k : stale) columns_[k].start_again();
+    for_each_row(
+        [&] {
+          for (const std::size_t k : stale) columns_[k].add(fields_[k]);
+        },
+        [](const CommentLine&) {});
   }
 
-  /// Second pass.
-  void fill(PointCloud& cloud) {
-    for_each_row([&](std::size_t row, const std::optional<CommentLine>& comment) {
-      if (comment) return;
-      auto attribute = cloud.attributes.begin();
-      for (std::size_t k = 0; k < fields_.size(); ++k) {
-        if (roles_[k] == no_role) {
-          set(*attribute++, row, fields_[k]);
-        } else {
-          auto& vectors = roles_[k] < 3 ? cloud.points : cloud.normals;
-          vectors[row].*axes[static_cast<std::size_t>(roles_[k]) % 3] = coordinate(k);
-        }
-      }
-    });
+  void complete() {
+    for (std::size_t k = 0; k < roles_.size(); ++k) {
+      const ScalarType type = roles_[k] == no_role ? columns_[k].type() : ScalarType::Float64;
+      cloud_.layout.fields.push_back({shape_.names[k], type});
+      if (roles_[k] != no_role) continue;
+      cloud_.attributes.push_back({shape_.names[k], columns_[k].take(), {}});
+    }
+    cloud_.layout.encoding = Encoding::Text;
+    cloud_.layout.text = shape_.layout;
+    cloud_.layout.comments = std::move(comments_);
   }
 
   [[nodiscard]] double coordinate(std::size_t k) const {
@@ -162,25 +160,15 @@ class TextReader {
     return *value;
   }
 
-  static void set(Attribute& attribute, std::size_t row, const TextField& field) {
-    if (auto* integers = std::get_if<std::vector<std::int64_t>>(&attribute.values)) {
-      (*integers)[row] = parse_number<std::int64_t>(field.text).value_or(0);
-    } else if (auto* numbers = std::get_if<std::vector<double>>(&attribute.values)) {
-      (*numbers)[row] = parse_number<double>(field.text).value_or(0);
-    } else {
-      std::get<std::vector<std::string>>(attribute.values)[row] = field.str();
-    }
-  }
-
   const Source& source_;
   TextShape shape_;
   std::vector<int> roles_;
-  std::vector<ColumnKind> kinds_;
+  std::vector<TextColumn> columns_;  ///< those with a role stay empty
   std::vector<std::string> comments_;
   std::vector<TextField> fields_;
-  std::size_t rows_ = 0;
+  PointCloud cloud_;
   std::size_t line_ = 0;
-  bool has_normals_ = false;
+  bool may_have_normals_ = false;
 };
 
 }  // namespace

@@ -30,9 +30,7 @@ class TextRow {
   /// The next word; empty at the end.
   std::string_view word() { return next_token(rest_); }
 
-  [[nodiscard]] bool at_end() const {
-    return rest_.find_first_not_of(blanks) == std::string_view::npos;
-  }
+  [[nodiscard]] bool at_end() const { return trim(rest_).empty(); }
 
   /// @param what  is to be read, for the message
   template <typename T>

@@ -15,8 +15,6 @@
 namespace deburr {
 namespace {
 
-constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
-
 std::vector<std::string> split_names(std::string_view line, char separator) {
   std::vector<TextField> fields;
   std::vector<std::string> names;
@@ -44,9 +42,7 @@ std::vector<std::string> split_header(std::string_view line, char separator, std
 
 class ShapeFinder {
  public:
-  explicit ShapeFinder(const Source& source) : source_(source), lines_(source.data) {
-    if (source.data.starts_with(utf8_mark)) lines_ = Lines(source.data, utf8_mark.size());
-  }
+  explicit ShapeFinder(const Source& source) : source_(source), lines_(source.data) {}
 
   TextShape find() {
     const bool has_line = next_content();

@@ -52,7 +52,6 @@ char find_separator(std::string_view line) {
 bool split(std::string_view line, char separator, std::vector<TextField>& fields) {
   fields.clear();
   const bool at_blanks = separator == ' ' || separator == '\t';
-  const auto ends_field = [&](char c) { return at_blanks ? is_blank(c) : c == separator; };
   for (std::size_t begin = 0; begin <= line.size();) {
     while (begin < line.size() && is_blank(line[begin])) ++begin;
     if (begin == line.size() && at_blanks) break;
@@ -61,7 +60,11 @@ bool split(std::string_view line, char separator, std::vector<TextField>& fields
     if (is_quoted) end = end_of_quotes(line, begin);
     if (end == std::string_view::npos) return false;
     const std::size_t close = end;
-    while (end < line.size() && !ends_field(line[end])) ++end;
+    if (at_blanks) {
+      while (end < line.size() && !is_blank(line[end])) ++end;
+    } else {
+      while (end < line.size() && line[end] != separator) ++end;
+    }
     if (is_quoted && trim(line.substr(close, end - close)).empty()) {
       fields.push_back({line.substr(begin + 1, close - begin - 2), true});
     } else {

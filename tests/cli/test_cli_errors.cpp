@@ -69,14 +69,15 @@ TEST_F(CliErrors, OptionsOutOfRangeAreExitCode2) {
     return std::vector<std::string>{"denoise",   "scan.ply", "out.ply", "--method",
                                     "yadav2018", option,     value};
   };
-  expect_failure(yadav("--rho", "1"), 2, "yadav2018.rho");
-  expect_failure(yadav("--tau", "nan"), 2, "yadav2018.tau");
-  expect_failure(yadav("--k", "2"), 2, "yadav2018.k");
-  expect_failure(yadav("--rounds", "-1"), 2, "yadav2018.rounds");
-  expect_failure({"denoise", "scan.ply", "out.ply", "--strength", "6"}, 2, "strength");
-  expect_failure({"denoise", "scan.ply", "out.ply", "--max-move", "-1"}, 2, "max_move");
-  expect_failure({"denoise", "scan.ply", "out.ply", "--noise", "nan"}, 2, "noise");
-  expect_failure({"synth", "part", "out.ply", "--noise", "-1"}, 2, "noise");
+  expect_failure(yadav("--rho", "1"), 2, ": --rho must be in [0, 1), got 1");
+  expect_failure(yadav("--tau", "nan"), 2, ": --tau must be");
+  expect_failure(yadav("--k", "2"), 2, ": --k must be");
+  expect_failure(yadav("--rounds", "-1"), 2, ": --rounds must be");
+  expect_failure({"denoise", "scan.ply", "out.ply", "--strength", "6"}, 2,
+                 ": --strength must be in [1, 5], got 6");
+  expect_failure({"denoise", "scan.ply", "out.ply", "--max-move", "-1"}, 2, ": --max-move must be");
+  expect_failure({"denoise", "scan.ply", "out.ply", "--noise", "nan"}, 2, ": --noise must be");
+  expect_failure({"synth", "part", "out.ply", "--noise", "-1"}, 2, ": --noise must be");
 }
 
 // The range is looked at before the file, which may take long to read.

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "deburr/denoise.hpp"
@@ -116,6 +117,42 @@ TEST_F(CliFormats, MeshesKeepTheirFaces) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(read_mesh("out." + format).triangles.size(), read_mesh(in).triangles.size());
     EXPECT_EQ(run_program({"compare", in, "--truth", "out." + format}).exit_code, 0);
+  }
+}
+
+TEST_F(CliFormats, FacesGoWithTheirPointsAndOthersStay) {
+  // A square of 30 x 30 points, of which one face goes to a point far away.
+  constexpr int side = 30;
+  TriangleMesh mesh;
+  for (int i = 0; i < side * side; ++i) {
+    mesh.vertices.push_back({0.1 * (i % side), 0.1 * (i / side), 0.001 * (i * 7 % 5)});
+  }
+  mesh.vertices.insert(mesh.vertices.begin(), {1.5, 1.5, 9});
+  const auto corner = [](int x, int y) { return static_cast<std::uint32_t>(1 + x + side * y); };
+  for (int x = 0; x + 1 < side; ++x) {
+    for (int y = 0; y + 1 < side; ++y) {
+      mesh.triangles.push_back({corner(x, y), corner(x + 1, y), corner(x + 1, y + 1)});
+      mesh.triangles.push_back({corner(x, y), corner(x + 1, y + 1), corner(x, y + 1)});
+    }
+  }
+  const std::vector<std::array<std::uint32_t, 3>> kept = mesh.triangles;
+  mesh.triangles.insert(mesh.triangles.begin(), {corner(15, 15), corner(16, 15), 0});
+  write_mesh("part.ply", mesh);
+  for (const std::string format : {"stl", "obj", "off", "ply"}) {
+    const std::string in = "in." + format;
+    write_cloud(in, read_cloud("part.ply"));
+    const Outcome outcome = run_program({"denoise", in, "out." + format, "--outliers", "remove"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("warning: " + in +
+                                       ": 1 of 1683 items of 'face' left out with their points"));
+    const TriangleMesh out = read_mesh("out." + format);
+    ASSERT_EQ(out.vertices.size(), mesh.vertices.size() - 1);
+    ASSERT_EQ(out.triangles.size(), kept.size());
+    for (std::size_t face = 0; face < kept.size(); ++face) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_LT(norm(out.vertices[out.triangles[face][k]] - mesh.vertices[kept[face][k]]), 0.05);
+      }
+    }
   }
 }
 
