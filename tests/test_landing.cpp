@@ -166,17 +166,19 @@ TEST(Landing, NeedsNoSheetOfEveryNode) {
       EXPECT_NEAR(off_faces(result.points[i]), 0, 1e-9) << i;
     }
     // Those that may be of both faces are told, and their shares in the other too.
-    std::size_t found = 0;
+    double near_edge = 0;
+    double told = 0;
     for (std::size_t i = 0; i < bench.size(); ++i) {
       const double depth = -std::min(bench.truth.points[i].x, bench.truth.points[i].z);
       if (depth < sigma) {
-        EXPECT_EQ(shares.by_edge[i], 1) << i;
-        ++found;
+        ++near_edge;
+        told += shares.by_edge[i];
       } else if (depth > 6) {
         EXPECT_EQ(shares.by_edge[i], 0) << i;
       }
     }
-    EXPECT_GT(found, 3U);
+    EXPECT_GT(told, 0.8 * near_edge);
+    EXPECT_GT(near_edge, 20);
     for (std::size_t k = bench.size(); k < shares.by_edge.size(); ++k) {
       EXPECT_EQ(shares.by_edge[k], 1);
     }

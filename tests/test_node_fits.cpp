@@ -27,7 +27,7 @@ struct Flat {
                sigma) {}
   static std::vector<Vec3> across(std::vector<Vec3> points) {
     Random random(1);
-    for (Vec3& p : points) p.z += sigma * random.normal();
+    for (Vec3& p : points) p.z += sigma * random.gaussian();
     return points;
   }
 };
