@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "found_sort.hpp"
 #include "parallel.hpp"
@@ -20,29 +21,67 @@ constexpr std::size_t longest_list = 24;
 
 constexpr std::uint32_t any_index = std::numeric_limits<std::uint32_t>::max();
 
+/// A tree of so many points is built by one thread, and others from so many parts.
+constexpr std::uint32_t small_tree = 8192;
+constexpr std::size_t parts = 64;
+
+/// Number of nodes of the trees of `count` and of `count + 1` points.
+std::pair<std::uint32_t, std::uint32_t> node_counts(std::uint32_t count) {
+  if (count < leaf_size) return {1, 1};
+  const auto [half, more] = node_counts(count / 2);
+  const std::uint32_t uneven = 1 + half + more;
+  if (count % 2 != 0) return {uneven, 1 + 2 * more};
+  return {count == leaf_size ? 1 : 1 + 2 * half, uneven};
+}
+
 }  // namespace
 
 KdTree::KdTree(Points points, const Execution& execution)
     : points_(points), order_(points.size()), sorted_(points.size()) {
+  if (points.empty()) return;
   std::iota(order_.begin(), order_.end(), 0U);
-  if (!points.empty()) {
-    nodes_.reserve(4 * (points.size() / leaf_size + 1));
-    build(0, static_cast<std::uint32_t>(points.size()), execution);
-  }
-  for (std::size_t i = 0; i < order_.size(); ++i) sorted_[i] = points_[order_[i]];
+  nodes_.resize(node_counts(static_cast<std::uint32_t>(points.size())).first);
+  build_all(without_progress(execution));
+  parallel_for(order_.size(), without_progress(execution),
+               [&](std::size_t i) { sorted_[i] = points_[order_[i]]; });
 }
 
-void KdTree::build(std::uint32_t begin, std::uint32_t end, const Execution& execution) {
+void KdTree::build_all(const Execution& execution) {
+  std::vector<Range> level{{0, static_cast<std::uint32_t>(points_.size()), 0}};
+  if (points_.size() > small_tree) {
+    while (level.size() < parts) {
+      std::vector<Range> next(2 * level.size());
+      parallel_blocks<1>(level.size(), execution, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const auto halves = split(level[k], execution);
+          std::ranges::copy(halves, next.begin() + static_cast<std::ptrdiff_t>(2 * k));
+        }
+      });
+      level = std::move(next);
+    }
+  }
+  parallel_blocks<1>(level.size(), execution, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) build(level[k], execution);
+  });
+}
+
+void KdTree::build(const Range& range, const Execution& execution) {
+  for (const Range& half : split(range, execution)) {
+    if (half.begin < half.end) build(half, execution);
+  }
+}
+
+std::array<KdTree::Range, 2> KdTree::split(const Range& range, const Execution& execution) {
+  const auto [begin, end, self] = range;
   if (end - begin > block_size) check_cancelled(execution);
-  const std::size_t self = nodes_.size();
   Box box;
   std::uint32_t smallest = order_[begin];
   for (std::uint32_t i = begin; i < end; ++i) {
     box.add(points_[order_[i]]);
     smallest = std::min(smallest, order_[i]);
   }
-  nodes_.push_back({box, begin, end, 0, smallest});
-  if (end - begin <= leaf_size) return;
+  nodes_[self] = {box, begin, end, 0, smallest};
+  if (end - begin <= leaf_size) return {};
 
   // Points at one place are split by index, so that a search among them ends early too.
   const Vec3 extent = half_extent(box);
@@ -51,15 +90,18 @@ void KdTree::build(std::uint32_t begin, std::uint32_t end, const Execution& exec
                              : extent.y == largest ? &Vec3::y
                                                    : &Vec3::z;
   const std::uint32_t middle = begin + (end - begin) / 2;
+  CancelWatch watch(execution);
   std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
                    [&](std::uint32_t a, std::uint32_t b) {
+                     watch();
                      const double va = points_[a].*axis;
                      const double vb = points_[b].*axis;
                      return va != vb ? va < vb : a < b;
                    });
-  build(begin, middle, execution);
-  nodes_[self].right = static_cast<std::uint32_t>(nodes_.size());
-  build(middle, end, execution);
+  const std::uint32_t left = self + 1;
+  const std::uint32_t right = left + node_counts(middle - begin).first;
+  nodes_[self].right = right;
+  return {Range{begin, middle, left}, Range{middle, end, right}};
 }
 
 /// Visits the points of every box that can hold a point up to `limit`, which visits may lower.

@@ -72,7 +72,16 @@ class KdTree {
     std::uint32_t smallest;  ///< smallest index of a point in here
   };
 
-  void build(std::uint32_t begin, std::uint32_t end, const Execution& execution);
+  /// Points of `order_` that are to become a node.
+  struct Range {
+    std::uint32_t begin, end;
+    std::uint32_t node;
+  };
+
+  void build_all(const Execution& execution);
+  void build(const Range& range, const Execution& execution);
+  /// Makes one node. Returns its children, without points where it has none.
+  std::array<Range, 2> split(const Range& range, const Execution& execution);
   /// `excluded` is the index of a point that is not to be found.
   void nearest(const Vec3& at, std::uint32_t excluded, std::size_t count, double squared_radius,
                std::vector<Found>& found) const;

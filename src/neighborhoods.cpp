@@ -41,6 +41,18 @@ void make_offsets(std::vector<std::size_t>& offsets, double radius) {
   }
 }
 
+/// Room for all neighbours, taken step by step: where memory is new, that takes long.
+std::vector<std::uint32_t> make_indices(std::size_t count, const Execution& execution) {
+  constexpr std::size_t step = std::size_t{1} << 22;
+  std::vector<std::uint32_t> indices;
+  indices.reserve(count);
+  while (indices.size() < count) {
+    check_cancelled(execution);
+    indices.resize(std::min(count, indices.size() + step));
+  }
+  return indices;
+}
+
 // Counting first tells what memory is needed before any is taken.
 
 Neighborhoods search_grid(const CellGrid& grid, const NeighborOptions& options,
@@ -57,7 +69,7 @@ Neighborhoods search_grid(const CellGrid& grid, const NeighborOptions& options,
                     }
                   });
   make_offsets(offsets, options.radius);
-  std::vector<std::uint32_t> indices(offsets.back());
+  std::vector<std::uint32_t> indices = make_indices(offsets.back(), execution);
   parallel_blocks(grid.size(), sub_execution(execution, "neighbourhoods", counted, 1),
                   [&](std::size_t begin, std::size_t end) {
                     std::vector<std::size_t> wanted(end - begin);
@@ -99,7 +111,7 @@ Neighborhoods search_tree(Points points, const NeighborOptions& options,
   parallel_for(points.size(), sub_execution(execution, "neighbourhoods", 0, counted),
                [&](std::size_t at) { offsets[order[at] + 1] = count(order[at]); });
   make_offsets(offsets, options.radius);
-  std::vector<std::uint32_t> indices(offsets.back());
+  std::vector<std::uint32_t> indices = make_indices(offsets.back(), execution);
   parallel_blocks(points.size(), sub_execution(execution, "neighbourhoods", counted, 1),
                   [&](std::size_t begin, std::size_t end) {
                     std::vector<Found> found;
@@ -136,8 +148,8 @@ Neighborhoods find_neighbors(Points points, const NeighborOptions& options,
   }
 
   if (options.radius > 0) {
-    const Execution quiet{.threads = execution.threads, .cancelled = execution.cancelled};
-    if (const auto grid = CellGrid::make(points, options.radius, options.max_count, quiet)) {
+    if (const auto grid = CellGrid::make(points, options.radius, options.max_count,
+                                         without_progress(execution))) {
       return search_grid(*grid, options, execution);
     }
   }

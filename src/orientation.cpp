@@ -51,8 +51,7 @@ std::vector<Edge> neighbor_graph(Normals normals, const Neighborhoods& neighborh
                                  const Execution& execution) {
   std::vector<std::vector<Edge>> parts((normals.size() + block_size - 1) / block_size);
   parallel_blocks(
-      normals.size(), {.threads = execution.threads, .cancelled = execution.cancelled},
-      [&](std::size_t begin, std::size_t end) {
+      normals.size(), without_progress(execution), [&](std::size_t begin, std::size_t end) {
         std::vector<Edge>& edges = parts[begin / block_size];
         for (std::size_t at = begin; at < end; ++at) {
           const auto i = static_cast<std::uint32_t>(at);
@@ -72,6 +71,7 @@ std::vector<Edge> neighbor_graph(Normals normals, const Neighborhoods& neighborh
   std::vector<Edge> edges;
   edges.reserve(count);
   for (auto& part : parts) {
+    check_cancelled(execution);
     edges.insert(edges.end(), part.begin(), part.end());
     part = {};
   }
@@ -83,10 +83,9 @@ std::vector<Edge> neighbor_graph(Normals normals, const Neighborhoods& neighborh
 /// that there is one such forest.
 class ForestFinder {
  public:
-  ForestFinder(std::size_t n, const Execution& execution) : pieces_(n), execution_(execution) {}
+  ForestFinder(std::size_t n, const Execution& execution) : pieces_(n), watch_(execution) {}
 
   void add(std::span<Edge> edges) {
-    check_cancelled(execution_);
     if (edges.size() <= few) {
       std::sort(edges.begin(), edges.end());
       for (const Edge& edge : edges) {
@@ -95,10 +94,15 @@ class ForestFinder {
       return;
     }
     const std::size_t half = edges.size() / 2;
-    std::nth_element(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(half), edges.end());
+    std::nth_element(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(half), edges.end(),
+                     [&](const Edge& a, const Edge& b) {
+                       watch_();
+                       return a < b;
+                     });
     add(edges.first(half));
     const auto heavy = edges.subspan(half);
     const auto end = std::remove_if(heavy.begin(), heavy.end(), [&](const Edge& edge) {
+      watch_();
       return pieces_.find(edge.i) == pieces_.find(edge.j);
     });
     add(heavy.first(static_cast<std::size_t>(end - heavy.begin())));
@@ -112,11 +116,12 @@ class ForestFinder {
 
   Pieces pieces_;
   std::vector<Edge> forest_;
-  const Execution& execution_;
+  CancelWatch watch_;
 };
 
 /// Both directions of edges, as neighbourhoods.
-Neighborhoods adjacency(std::size_t n, const std::vector<Edge>& edges) {
+Neighborhoods adjacency(std::size_t n, const std::vector<Edge>& edges, const Execution& execution) {
+  CancelWatch watch(execution);
   std::vector<std::size_t> offsets(n + 1);
   for (const Edge& edge : edges) {
     ++offsets[edge.i + 1];
@@ -126,6 +131,7 @@ Neighborhoods adjacency(std::size_t n, const std::vector<Edge>& edges) {
   std::vector<std::uint32_t> indices(offsets.back());
   std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
   for (const Edge& edge : edges) {
+    watch();
     indices[next[edge.i]++] = edge.j;
     indices[next[edge.j]++] = edge.i;
   }
@@ -133,11 +139,12 @@ Neighborhoods adjacency(std::size_t n, const std::vector<Edge>& edges) {
 }
 
 /// The highest point of each piece, the first of those.
-std::vector<std::uint32_t> highest_points(Points points, Pieces& pieces) {
+std::vector<std::uint32_t> highest_points(Points points, Pieces& pieces, CancelWatch& watch) {
   // A piece is known by its first point, which is met first.
   std::vector<std::uint32_t> highest(points.size());
   std::vector<std::uint32_t> firsts;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
+    watch();
     const std::uint32_t first = pieces.find(i);
     if (first == i) {
       firsts.push_back(i);
@@ -160,19 +167,20 @@ std::vector<Vec3> orient_normals(Points points, Normals normals, const Neighborh
   ForestFinder finder(points.size(), execution);
   finder.add(edges);
   edges = {};
-  const Neighborhoods forest = adjacency(points.size(), finder.forest());
-  check_cancelled(execution);
+  const Neighborhoods forest = adjacency(points.size(), finder.forest(), execution);
 
   std::vector<Vec3> oriented(normals.begin(), normals.end());
   std::vector<bool> seen(points.size());
   std::vector<std::uint32_t> open;
-  for (const std::uint32_t root : highest_points(points, finder.pieces())) {
+  CancelWatch watch(execution);
+  for (const std::uint32_t root : highest_points(points, finder.pieces(), watch)) {
     seen[root] = true;
     if (points_down(oriented[root])) oriented[root] = -oriented[root];
     open.push_back(root);
     while (!open.empty()) {
       const std::uint32_t parent = open.back();
       open.pop_back();
+      watch();
       for (const std::uint32_t child : forest[parent]) {
         if (seen[child]) continue;
         seen[child] = true;

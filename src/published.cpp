@@ -53,7 +53,7 @@ void run_published(const Neighborhoods& nearest, const Schedule& schedule, const
     const Execution part =
         sub_execution(execution, "rounds", prepared + (1 - prepared) * round / schedule.rounds,
                       prepared + (1 - prepared) * (round + 1) / schedule.rounds);
-    const Execution quiet{.threads = part.threads, .cancelled = part.cancelled};
+    const Execution quiet = without_progress(part);
     if (round == 0 || schedule.rebuild) {
       neighborhoods = clock.time("neighbourhoods", [&] {
         return find_neighbors(state.points, schedule.neighbors, quiet);
