@@ -230,21 +230,33 @@ void CellGrid::find(std::size_t begin, std::size_t end, std::span<const std::siz
   Runs runs;
   DistanceSort sort(squared_radius_);
   for (std::size_t slot = begin; slot < end; ++slot) {
-    set_runs(slot, runs);
-    sort.reserve(runs.candidates + 1);
-    const Vec3 at{x_[slot], y_[slot], z_[slot]};
-    const double y = (at.y - axes_[1].low) * per_cell_;
-    const double z = (at.z - axes_[2].low) * per_cell_;
-    std::size_t size = 0;
-    for (std::size_t r = 0; r < runs.count; ++r) {
-      const Runs::Run& run = runs.runs[r];
-      if (squared_gap(y, z, run.y, run.z) > 1) continue;
-      size = append_run(&x_[run.begin], &y_[run.begin], &z_[run.begin], &index_[run.begin],
-                        run.end - run.begin, at, squared_radius_, sort.squared_distances(),
-                        sort.indices(), size);
-    }
-    sort.write(size, index_[slot], wanted[slot - begin], to[slot - begin]);
+    find_one(slot, wanted[slot - begin], to[slot - begin], runs, sort);
   }
+}
+
+void CellGrid::find_of(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> wanted,
+                       std::span<std::uint32_t* const> to) const {
+  Runs runs;
+  DistanceSort sort(squared_radius_);
+  for (std::size_t k = 0; k < slots.size(); ++k) find_one(slots[k], wanted[k], to[k], runs, sort);
+}
+
+void CellGrid::find_one(std::size_t slot, std::size_t wanted, std::uint32_t* to, Runs& runs,
+                        DistanceSort& sort) const {
+  set_runs(slot, runs);
+  sort.reserve(runs.candidates + 1);
+  const Vec3 at{x_[slot], y_[slot], z_[slot]};
+  const double y = (at.y - axes_[1].low) * per_cell_;
+  const double z = (at.z - axes_[2].low) * per_cell_;
+  std::size_t size = 0;
+  for (std::size_t r = 0; r < runs.count; ++r) {
+    const Runs::Run& run = runs.runs[r];
+    if (squared_gap(y, z, run.y, run.z) > 1) continue;
+    size = append_run(&x_[run.begin], &y_[run.begin], &z_[run.begin], &index_[run.begin],
+                      run.end - run.begin, at, squared_radius_, sort.squared_distances(),
+                      sort.indices(), size);
+  }
+  sort.write(size, index_[slot], wanted, to);
 }
 
 }  // namespace deburr

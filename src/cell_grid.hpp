@@ -11,6 +11,7 @@
 
 #include "deburr/execution.hpp"
 #include "deburr/vec3.hpp"
+#include "distance_sort.hpp"
 
 namespace deburr {
 
@@ -40,6 +41,10 @@ class CellGrid {
   void find(std::size_t begin, std::size_t end, std::span<const std::size_t> wanted,
             std::span<std::uint32_t* const> to) const;
 
+  /// The same for any slots, of which near ones should follow each other.
+  void find_of(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> wanted,
+               std::span<std::uint32_t* const> to) const;
+
  private:
   struct Axis {
     double low = 0;
@@ -51,6 +56,8 @@ class CellGrid {
   void sort_points(Points points, const Execution& execution);
   [[nodiscard]] double squared_occupancy() const;  ///< pairs of points of one cell
   void set_runs(std::size_t slot, Runs& runs) const;
+  void find_one(std::size_t slot, std::size_t wanted, std::uint32_t* to, Runs& runs,
+                DistanceSort& sort) const;
 
   double squared_radius_ = 0;
   double per_cell_ = 0;  ///< 1 / width of a cell

@@ -65,7 +65,7 @@ Neighborhoods measure_spacing(Points points, std::size_t k, const WorkingSet& se
 
 void run_yadav2018(const Yadav2018Options& options, const WorkingSet& set, bool keep_normals,
                    State& state, Report& report, StageClock& clock, const Execution& execution) {
-  const Neighborhoods nearest = clock.time("spacing and noise", [&] {
+  Neighborhoods nearest = clock.time("spacing and noise", [&] {
     Neighborhoods found =
         measure_spacing(set.points, options.k, set, report,
                         sub_execution(execution, "spacing and noise", 0.02, 0.06));
@@ -79,7 +79,7 @@ void run_yadav2018(const Yadav2018Options& options, const WorkingSet& set, bool 
   report.kept_normals = keep_normals;
   const Schedule schedule = make_schedule(options, spacing);
   report.max_move = set.length(schedule.update.max_move);
-  run_published(nearest, schedule, set, keep_normals, state, report, clock,
+  run_published(std::move(nearest), schedule, set, keep_normals, state, report, clock,
                 sub_execution(execution, "rounds", 0.1, 1));
 }
 

@@ -12,6 +12,7 @@
 #include "cell_grid.hpp"
 #include "deburr/error.hpp"
 #include "kd_tree.hpp"
+#include "neighbor_search.hpp"
 #include "parallel.hpp"
 
 namespace deburr {
@@ -25,6 +26,13 @@ Neighborhoods::Neighborhoods(std::vector<std::size_t> offsets, std::vector<std::
   if (!partition) throw std::invalid_argument("neighborhoods.offsets do not partition the indices");
 }
 
+std::string too_many_pairs(std::size_t points, double radius, std::size_t pairs) {
+  return fmt::format(
+      "the neighbourhoods of {} points within a radius of {} hold {} pairs, more than the {} that "
+      "are allowed",
+      points, radius, pairs, max_pairs);
+}
+
 namespace {
 
 constexpr double counted = 0.3;  ///< share of the progress that counting takes
@@ -34,10 +42,7 @@ constexpr double counted = 0.3;  ///< share of the progress that counting takes
 void make_offsets(std::vector<std::size_t>& offsets, double radius) {
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
   if (offsets.back() > max_pairs) {
-    throw DataError(fmt::format(
-        "the neighbourhoods of {} points within a radius of {} hold {} pairs, more than the {} "
-        "that are allowed",
-        offsets.size() - 1, radius, offsets.back(), max_pairs));
+    throw DataError(too_many_pairs(offsets.size() - 1, radius, offsets.back()));
   }
 }
 

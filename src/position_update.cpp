@@ -16,11 +16,11 @@
 namespace deburr {
 namespace {
 
-void validate(Points original, Points points, Normals normals, const Neighborhoods& neighborhoods,
+void validate(Points original, Points points, Normals normals, std::size_t lists,
               const PositionUpdateOptions& options) {
   require_size("original", original.size(), points.size());
   require_size("normals", normals.size(), points.size());
-  require_size("neighborhoods", neighborhoods.size(), points.size());
+  require_size("neighborhoods", lists, points.size());
   require(options.position_scale > 0, "position_update.position_scale", "> 0",
           options.position_scale);
   require(options.normal_scale > 0, "position_update.normal_scale", "> 0", options.normal_scale);
@@ -39,10 +39,10 @@ struct Sweep {
   NextNormals* next_normals;
 
   /// Classifies up to eight points and tells where each of them goes. None sees the others move.
-  /// @param near  near(l) are the neighbours of batch[l]
-  template <typename Near, typename Move>
-  void move(std::span<const std::uint32_t> batch, const Near& near, FeatureField& field,
-            const Move& to) const {
+  /// @param near  near[l] are the neighbours of batch[l]
+  /// @param to  to(i, class, place)
+  template <typename Move>
+  void move(std::span<const std::uint32_t> batch, const NearBatch& near, const Move& to) const {
     Moments moments;
     SurfaceSums sums;
     Votes votes;
@@ -50,9 +50,9 @@ struct Sweep {
     for (std::size_t l = 0; l < batch.size(); ++l) {
       const std::uint32_t i = batch[l];
       if (next_normals != nullptr) {
-        add_all(i, cloud, near(l), features.rho, options, l, moments, sums, votes);
+        add_all(i, cloud, near[l], features.rho, options, l, moments, sums, votes);
       } else {
-        add_both(i, cloud, near(l), features.rho, options, l, moments, sums);
+        add_both(i, cloud, near[l], features.rho, options, l, moments, sums);
       }
     }
     if (next_normals != nullptr) {
@@ -63,13 +63,9 @@ struct Sweep {
     std::array<Vec3, lane_count> moved;
     for (std::size_t l = 0; l < batch.size(); ++l) {
       const std::uint32_t i = batch[l];
-      moved[l] = move_point(i, original[i], cloud, classes[l], near(l), sums, l, options);
+      moved[l] = move_point(i, original[i], cloud, classes[l], near[l], sums, l, options);
     }
-    for (std::size_t l = 0; l < batch.size(); ++l) {
-      to(batch[l], moved[l]);
-      field.label[batch[l]] = classes[l].label;
-      field.direction[batch[l]] = classes[l].direction;
-    }
+    for (std::size_t l = 0; l < batch.size(); ++l) to(batch[l], classes[l], moved[l]);
   }
 };
 
@@ -79,7 +75,7 @@ std::vector<Vec3> update_positions(Points original, Points points, Normals norma
                                    const FeatureField& features, const Neighborhoods& neighborhoods,
                                    const PositionUpdateOptions& options,
                                    const Execution& execution) {
-  validate(original, points, normals, neighborhoods, options);
+  validate(original, points, normals, neighborhoods.size(), options);
   require_size("features.label", features.label.size(), points.size());
   require_size("features.direction", features.direction.size(), points.size());
   const std::vector<Row> point_rows = make_rows(points, execution);
@@ -97,79 +93,105 @@ std::vector<Vec3> update_positions(Points original, Points points, Normals norma
   return moved;
 }
 
-FeatureField sweep_at_once(Points original, std::vector<Vec3>& points, Normals normals,
-                           const Neighborhoods& neighborhoods,
-                           const FeatureOptions& feature_options,
-                           const PositionUpdateOptions& options, const Execution& execution) {
-  return sweep_together(original, points, normals, neighborhoods, feature_options, options, nullptr,
-                        execution);
-}
+namespace {
 
-FeatureField sweep_together(Points original, std::vector<Vec3>& points, Normals normals,
-                            const Neighborhoods& neighborhoods,
-                            const FeatureOptions& feature_options,
-                            const PositionUpdateOptions& options, NextNormals* next,
-                            const Execution& execution) {
-  validate(original, points, normals, neighborhoods, options);
+/// Moves all points at once.
+/// @param keep  keep(i, class) is told what each point is
+template <typename Lists, typename Keep>
+void sweep_all(Points original, std::vector<Vec3>& points, Normals normals, const Lists& lists,
+               const FeatureOptions& feature_options, const PositionUpdateOptions& options,
+               NextNormals* next, const Keep& keep, const Execution& execution) {
+  validate(original, points, normals, lists.size(), options);
   validate(feature_options);
   const std::vector<Row> point_rows = make_rows(points, execution);
   const std::vector<Row> normal_rows = make_rows(normals, execution);
   if (next != nullptr) next->normals.resize(points.size());
   const Sweep sweep{
       original, {point_rows.data(), normal_rows.data()}, feature_options, options, next};
-  FeatureField field{std::vector<Feature>(points.size()), std::vector<Vec3>(points.size())};
   parallel_blocks(points.size(), execution, [&](std::size_t begin, std::size_t end) {
     std::array<std::uint32_t, lane_count> batch{};
+    NearBatch near;
     for (std::size_t from = begin; from < end; from += lane_count) {
       const std::size_t count = std::min(lane_count, end - from);
       for (std::size_t l = 0; l < count; ++l) batch[l] = static_cast<std::uint32_t>(from + l);
-      const auto near = [&](std::size_t l) { return neighborhoods[from + l]; };
-      sweep.move({batch.data(), count}, near, field,
-                 [&](std::size_t i, const Vec3& moved) { points[i] = moved; });
+      near.read(lists, {batch.data(), count});
+      sweep.move({batch.data(), count}, near,
+                 [&](std::size_t i, const PointClass& point_class, const Vec3& moved) {
+                   points[i] = moved;
+                   keep(i, point_class);
+                 });
     }
   });
-  return field;
 }
 
-namespace {
-
-/// Moves batches of points in place: batch(k) gives the k-th of them, and near(k, l) the neighbours
-/// of its l-th point.
-template <typename Batch, typename Near>
-FeatureField sweep_batches(std::size_t count, const Batch& batch, const Near& near, Points original,
-                           std::vector<Vec3>& points, Normals normals,
-                           const Neighborhoods& neighborhoods,
-                           const FeatureOptions& feature_options,
-                           const PositionUpdateOptions& options, NextNormals* next,
-                           const Execution& execution) {
-  validate(original, points, normals, neighborhoods, options);
+/// Moves batches of points in place: batch(k) gives the k-th of them.
+template <typename Batch, typename Lists, typename Keep>
+void sweep_batches(std::size_t count, const Batch& batch, const Lists& lists, Points original,
+                   std::vector<Vec3>& points, Normals normals,
+                   const FeatureOptions& feature_options, const PositionUpdateOptions& options,
+                   NextNormals* next, const Keep& keep, const Execution& execution) {
+  validate(original, points, normals, lists.size(), options);
   validate(feature_options);
   std::vector<Row> point_rows = make_rows(points, execution);
   const std::vector<Row> normal_rows = make_rows(normals, execution);
   if (next != nullptr) next->normals.resize(points.size());
   const Sweep sweep{
       original, {point_rows.data(), normal_rows.data()}, feature_options, options, next};
-  FeatureField field{std::vector<Feature>(points.size(), Feature::Isolated),
-                     std::vector<Vec3>(points.size())};
   constexpr std::size_t stretch = block_size / lane_count;
+  NearBatch near;
   for (std::size_t k = 0; k < count; ++k) {
-    if (k % stretch == 0) {
-      check_cancelled(execution);
-      if (execution.progress) {
-        execution.progress({"", static_cast<double>(k) / static_cast<double>(count)});
-      }
+    check_cancelled(execution);
+    if (k % stretch == 0 && execution.progress) {
+      execution.progress({"", static_cast<double>(k) / static_cast<double>(count)});
     }
-    sweep.move(
-        batch(k), [&](std::size_t l) { return near(k, l); }, field,
-        [&](std::size_t i, const Vec3& moved) {
-          points[i] = moved;
-          point_rows[i] = Row(moved);
-        });
+    near.read(lists, batch(k));
+    sweep.move(batch(k), near,
+               [&](std::size_t i, const PointClass& point_class, const Vec3& moved) {
+                 points[i] = moved;
+                 point_rows[i] = Row(moved);
+                 keep(i, point_class);
+               });
   }
-  return field;
+}
+
+FeatureField isolated(std::size_t count) {
+  return {std::vector<Feature>(count, Feature::Isolated), std::vector<Vec3>(count)};
+}
+
+/// Keeps all that is known of a point.
+auto keep_in(FeatureField& field) {
+  return [&field](std::size_t i, const PointClass& point_class) {
+    field.label[i] = point_class.label;
+    field.direction[i] = point_class.direction;
+  };
+}
+
+/// Keeps what it is.
+auto keep_in(std::vector<Feature>& labels) {
+  return [&labels](std::size_t i, const PointClass& point_class) { labels[i] = point_class.label; };
 }
 
 }  // namespace
+
+FeatureField sweep_at_once(Points original, std::vector<Vec3>& points, Normals normals,
+                           const Neighborhoods& neighborhoods,
+                           const FeatureOptions& feature_options,
+                           const PositionUpdateOptions& options, const Execution& execution) {
+  FeatureField field = isolated(points.size());
+  sweep_all(original, points, normals, neighborhoods, feature_options, options, nullptr,
+            keep_in(field), execution);
+  return field;
+}
+
+std::vector<Feature> sweep_together(Points original, std::vector<Vec3>& points, Normals normals,
+                                    const NearLists& lists, const FeatureOptions& feature_options,
+                                    const PositionUpdateOptions& options, NextNormals* next,
+                                    const Execution& execution) {
+  std::vector<Feature> labels(points.size());
+  sweep_all(original, points, normals, lists, feature_options, options, next, keep_in(labels),
+            execution);
+  return labels;
+}
 
 FeatureField sweep_in_place(Points original, std::vector<Vec3>& points, Normals normals,
                             const Neighborhoods& neighborhoods,
@@ -187,24 +209,27 @@ FeatureField sweep_in_place(Points original, std::vector<Vec3>& points, Normals 
   for (const std::uint32_t i : order) {
     require(i < points.size(), "order", "made of indices of points", i);
   }
-  return sweep_batches(
-      order.size(), [&](std::size_t at) { return order.subspan(at, 1); },
-      [&](std::size_t at, std::size_t) { return neighborhoods[order[at]]; }, original, points,
-      normals, neighborhoods, feature_options, options, nullptr, execution);
+  FeatureField field = isolated(points.size());
+  sweep_batches(
+      order.size(), [&](std::size_t at) { return order.subspan(at, 1); }, neighborhoods, original,
+      points, normals, feature_options, options, nullptr, keep_in(field), execution);
+  return field;
 }
 
-FeatureField sweep_along(const SweepPlan& plan, Points original, std::vector<Vec3>& points,
-                         Normals normals, const FeatureOptions& feature_options,
-                         const PositionUpdateOptions& options, NextNormals* next,
-                         const Execution& execution) {
-  const auto begin = [&](std::size_t k) { return k > 0 ? plan.ends[k - 1] : 0; };
-  return sweep_batches(
+std::vector<Feature> sweep_along(const SweepPlan& plan, Points original, std::vector<Vec3>& points,
+                                 Normals normals, const NearLists& lists,
+                                 const FeatureOptions& feature_options,
+                                 const PositionUpdateOptions& options, NextNormals* next,
+                                 const Execution& execution) {
+  std::vector<Feature> labels(points.size(), Feature::Isolated);
+  sweep_batches(
       plan.ends.size(),
       [&](std::size_t k) {
-        return std::span(plan.order).subspan(begin(k), plan.ends[k] - begin(k));
+        const std::size_t begin = k > 0 ? plan.ends[k - 1] : 0;
+        return std::span(plan.order).subspan(begin, plan.ends[k] - begin);
       },
-      [&](std::size_t k, std::size_t l) { return plan.neighborhoods[begin(k) + l]; }, original,
-      points, normals, plan.neighborhoods, feature_options, options, next, execution);
+      lists, original, points, normals, feature_options, options, next, keep_in(labels), execution);
+  return labels;
 }
 
 }  // namespace deburr
