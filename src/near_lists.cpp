@@ -20,6 +20,11 @@ void look_up(const std::uint16_t* list, std::size_t count, const std::uint32_t* 
   for (std::size_t k = 0; k < count; ++k) to[k] = points[list[k]];
 }
 
+DEBURR_MULTIVERSION
+void widen(const std::uint16_t* list, std::size_t count, std::uint32_t* to) {
+  for (std::size_t k = 0; k < count; ++k) to[k] = list[k];
+}
+
 }  // namespace
 
 /// Numbers points in the order that they come in.
@@ -137,6 +142,21 @@ std::span<const std::uint32_t> NearLists::read(std::size_t i,
   if (!block.wide.empty()) return {block.wide.data() + list.begin, list.count};
   if (buffer.size() < list.count) buffer.resize(2 * std::size_t{list.count});
   look_up(block.lists.data() + list.begin, list.count, block.points.data(), buffer.data());
+  return {buffer.data(), list.count};
+}
+
+std::optional<std::span<const std::uint32_t>> NearLists::seen(std::size_t b) const {
+  if (!blocks_[b].wide.empty()) return {};
+  return blocks_[b].points;
+}
+
+std::span<const std::uint32_t> NearLists::read_seen(std::size_t i,
+                                                    std::vector<std::uint32_t>& buffer) const {
+  const List list = lists_[i];
+  const Block& block = blocks_[i / block_];
+  if (!block.wide.empty()) return {block.wide.data() + list.begin, list.count};
+  if (buffer.size() < list.count) buffer.resize(2 * std::size_t{list.count});
+  widen(block.lists.data() + list.begin, list.count, buffer.data());
   return {buffer.data(), list.count};
 }
 

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,6 +41,12 @@ class NearLists {
   [[nodiscard]] std::span<const std::uint32_t> read(std::size_t i,
                                                     std::vector<std::uint32_t>& buffer) const;
 
+  /// All neighbours of the points of block b; none where they are too many for 16 bits.
+  [[nodiscard]] std::optional<std::span<const std::uint32_t>> seen(std::size_t b) const;
+  /// As read(), but as indices into seen() where there is such a thing.
+  [[nodiscard]] std::span<const std::uint32_t> read_seen(std::size_t i,
+                                                         std::vector<std::uint32_t>& buffer) const;
+
   /// Has lists that are read in this order stand in it in memory, within each block.
   void arrange(std::span<const std::uint32_t> order, const Execution& execution);
 
@@ -66,9 +74,15 @@ class NearBatch {
  public:
   void read(const NearLists& lists, std::span<const std::uint32_t> points) {
     for (std::size_t l = 0; l < points.size(); ++l) lists_[l] = lists.read(points[l], buffers_[l]);
+    std::fill(lists_.begin() + points.size(), lists_.end(), std::span<const std::uint32_t>{});
   }
   void read(const Neighborhoods& lists, std::span<const std::uint32_t> points) {
     for (std::size_t l = 0; l < points.size(); ++l) lists_[l] = lists[points[l]];
+    std::fill(lists_.begin() + points.size(), lists_.end(), std::span<const std::uint32_t>{});
+  }
+  /// Those of `count` points from `first` on, as NearLists::read_seen.
+  void read_seen(const NearLists& lists, std::size_t first, std::size_t count) {
+    for (std::size_t l = 0; l < count; ++l) lists_[l] = lists.read_seen(first + l, buffers_[l]);
   }
   [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t l) const { return lists_[l]; }
 

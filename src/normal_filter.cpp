@@ -72,7 +72,8 @@ std::vector<Vec3> filter(Normals normals, const Lists& lists, const NormalFilter
       for (std::size_t l = 0; l < count; ++l) {
         count_votes(from + l, rows.data(), near[l], options.rho, l, votes);
       }
-      turn_by_votes(votes, points, rows.data(), options, voteless, filtered.data());
+      turn_by_votes(votes, points, rows.data(), options, voteless,
+                    std::span(filtered).subspan(from, count));
     }
   });
   return filtered;
@@ -82,7 +83,8 @@ std::vector<Vec3> filter(Normals normals, const Lists& lists, const NormalFilter
 
 DEBURR_MULTIVERSION
 void turn_by_votes(const Votes& votes, std::span<const std::uint32_t> points, const Row* normals,
-                   const NormalFilterOptions& options, Voteless voteless, Vec3* filtered) {
+                   const NormalFilterOptions& options, Voteless voteless,
+                   std::span<Vec3> filtered) {
   LanesSym3 tensor = votes.sum;
   tensor.scale(1 / votes.count);
   Lanes3 n;
@@ -92,9 +94,9 @@ void turn_by_votes(const Votes& votes, std::span<const std::uint32_t> points, co
   for (std::size_t l = 0; l < points.size(); ++l) {
     const std::uint32_t i = points[l];
     if (votes.count[l] != 0) {
-      filtered[i] = lane(result, l);
+      filtered[l] = lane(result, l);
     } else {
-      filtered[i] = voteless == Voteless::Keep ? Vec3(normals[i]) : Vec3{};
+      filtered[l] = voteless == Voteless::Keep ? Vec3(normals[i]) : Vec3{};
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "move_batch.hpp"
 #include "parallel.hpp"
 #include "point_move.hpp"
 #include "require.hpp"
@@ -21,6 +22,12 @@ void validate(Points original, Points points, Normals normals, std::size_t lists
   require_size("original", original.size(), points.size());
   require_size("normals", normals.size(), points.size());
   require_size("neighborhoods", lists, points.size());
+  validate(options);
+}
+
+}  // namespace
+
+void validate(const PositionUpdateOptions& options) {
   require(options.position_scale > 0, "position_update.position_scale", "> 0",
           options.position_scale);
   require(options.normal_scale > 0, "position_update.normal_scale", "> 0", options.normal_scale);
@@ -29,47 +36,6 @@ void validate(Points original, Points points, Normals normals, std::size_t lists
           "in (0, 1]", options.feature_step);
   require(options.max_move >= 0, "position_update.max_move", ">= 0", options.max_move);
 }
-
-/// One round of classifying and moving.
-struct Sweep {
-  Points original;
-  Oriented cloud;
-  const FeatureOptions& features;
-  const PositionUpdateOptions& options;
-  NextNormals* next_normals;
-
-  /// Classifies up to eight points and tells where each of them goes. None sees the others move.
-  /// @param near  near[l] are the neighbours of batch[l]
-  /// @param to  to(i, class, place)
-  template <typename Move>
-  void move(std::span<const std::uint32_t> batch, const NearBatch& near, const Move& to) const {
-    Moments moments;
-    SurfaceSums sums;
-    Votes votes;
-    PointClasses classes;
-    for (std::size_t l = 0; l < batch.size(); ++l) {
-      const std::uint32_t i = batch[l];
-      if (next_normals != nullptr) {
-        add_all(i, cloud, near[l], features.rho, options, l, moments, sums, votes);
-      } else {
-        add_both(i, cloud, near[l], features.rho, options, l, moments, sums);
-      }
-    }
-    if (next_normals != nullptr) {
-      turn_by_votes(votes, batch, cloud.normals, next_normals->filter, Voteless::Keep,
-                    next_normals->normals.data());
-    }
-    classify_points(moments, features, classes);
-    std::array<Vec3, lane_count> moved;
-    for (std::size_t l = 0; l < batch.size(); ++l) {
-      const std::uint32_t i = batch[l];
-      moved[l] = move_point(i, original[i], cloud, classes[l], near[l], sums, l, options);
-    }
-    for (std::size_t l = 0; l < batch.size(); ++l) to(batch[l], classes[l], moved[l]);
-  }
-};
-
-}  // namespace
 
 std::vector<Vec3> update_positions(Points original, Points points, Normals normals,
                                    const FeatureField& features, const Neighborhoods& neighborhoods,
@@ -95,35 +61,6 @@ std::vector<Vec3> update_positions(Points original, Points points, Normals norma
 
 namespace {
 
-/// Moves all points at once.
-/// @param keep  keep(i, class) is told what each point is
-template <typename Lists, typename Keep>
-void sweep_all(Points original, std::vector<Vec3>& points, Normals normals, const Lists& lists,
-               const FeatureOptions& feature_options, const PositionUpdateOptions& options,
-               NextNormals* next, const Keep& keep, const Execution& execution) {
-  validate(original, points, normals, lists.size(), options);
-  validate(feature_options);
-  const std::vector<Row> point_rows = make_rows(points, execution);
-  const std::vector<Row> normal_rows = make_rows(normals, execution);
-  if (next != nullptr) next->normals.resize(points.size());
-  const Sweep sweep{
-      original, {point_rows.data(), normal_rows.data()}, feature_options, options, next};
-  parallel_blocks(points.size(), execution, [&](std::size_t begin, std::size_t end) {
-    std::array<std::uint32_t, lane_count> batch{};
-    NearBatch near;
-    for (std::size_t from = begin; from < end; from += lane_count) {
-      const std::size_t count = std::min(lane_count, end - from);
-      for (std::size_t l = 0; l < count; ++l) batch[l] = static_cast<std::uint32_t>(from + l);
-      near.read(lists, {batch.data(), count});
-      sweep.move({batch.data(), count}, near,
-                 [&](std::size_t i, const PointClass& point_class, const Vec3& moved) {
-                   points[i] = moved;
-                   keep(i, point_class);
-                 });
-    }
-  });
-}
-
 /// Moves batches of points in place: batch(k) gives the k-th of them.
 template <typename Batch, typename Lists, typename Keep>
 void sweep_batches(std::size_t count, const Batch& batch, const Lists& lists, Points original,
@@ -135,40 +72,37 @@ void sweep_batches(std::size_t count, const Batch& batch, const Lists& lists, Po
   std::vector<Row> point_rows = make_rows(points, execution);
   const std::vector<Row> normal_rows = make_rows(normals, execution);
   if (next != nullptr) next->normals.resize(points.size());
-  const Sweep sweep{
-      original, {point_rows.data(), normal_rows.data()}, feature_options, options, next};
+  const Oriented cloud{point_rows.data(), normal_rows.data()};
+  const MoveOptions how{feature_options, options, next != nullptr ? &next->filter : nullptr};
+  MovedBatch moved;
+  std::array<Vec3, lane_count> from{};
   constexpr std::size_t stretch = block_size / lane_count;
   NearBatch near;
+  NearBatch upcoming;
+  if (count > 0) upcoming.read(lists, batch(0));
   for (std::size_t k = 0; k < count; ++k) {
     check_cancelled(execution);
     if (k % stretch == 0 && execution.progress) {
       execution.progress({"", static_cast<double>(k) / static_cast<double>(count)});
     }
-    near.read(lists, batch(k));
-    sweep.move(batch(k), near,
-               [&](std::size_t i, const PointClass& point_class, const Vec3& moved) {
-                 points[i] = moved;
-                 point_rows[i] = Row(moved);
-                 keep(i, point_class);
-               });
+    std::swap(near, upcoming);
+    const bool more = k + 1 < count;
+    if (more) upcoming.read(lists, batch(k + 1));
+    const std::span<const std::uint32_t> points_here = batch(k);
+    for (std::size_t l = 0; l < points_here.size(); ++l) from[l] = original[points_here[l]];
+    move_batch(points_here, cloud, near, from, how, more ? &upcoming : nullptr, moved);
+    for (std::size_t l = 0; l < points_here.size(); ++l) {
+      const std::uint32_t i = points_here[l];
+      points[i] = moved.places[l];
+      point_rows[i] = Row(moved.places[l]);
+      if (next != nullptr) next->normals[i] = moved.normals[l];
+      keep(i, moved.classes[l]);
+    }
   }
 }
 
 FeatureField isolated(std::size_t count) {
   return {std::vector<Feature>(count, Feature::Isolated), std::vector<Vec3>(count)};
-}
-
-/// Keeps all that is known of a point.
-auto keep_in(FeatureField& field) {
-  return [&field](std::size_t i, const PointClass& point_class) {
-    field.label[i] = point_class.label;
-    field.direction[i] = point_class.direction;
-  };
-}
-
-/// Keeps what it is.
-auto keep_in(std::vector<Feature>& labels) {
-  return [&labels](std::size_t i, const PointClass& point_class) { labels[i] = point_class.label; };
 }
 
 }  // namespace
@@ -177,20 +111,34 @@ FeatureField sweep_at_once(Points original, std::vector<Vec3>& points, Normals n
                            const Neighborhoods& neighborhoods,
                            const FeatureOptions& feature_options,
                            const PositionUpdateOptions& options, const Execution& execution) {
+  validate(original, points, normals, neighborhoods.size(), options);
+  validate(feature_options);
+  const std::vector<Row> point_rows = make_rows(points, execution);
+  const std::vector<Row> normal_rows = make_rows(normals, execution);
+  const Oriented cloud{point_rows.data(), normal_rows.data()};
+  const MoveOptions how{feature_options, options, nullptr};
   FeatureField field = isolated(points.size());
-  sweep_all(original, points, normals, neighborhoods, feature_options, options, nullptr,
-            keep_in(field), execution);
+  parallel_blocks(points.size(), execution, [&](std::size_t begin, std::size_t end) {
+    std::array<std::uint32_t, lane_count> batch{};
+    std::array<Vec3, lane_count> from{};
+    NearBatch near;
+    MovedBatch moved;
+    for (std::size_t first = begin; first < end; first += lane_count) {
+      const std::size_t count = std::min(lane_count, end - first);
+      for (std::size_t l = 0; l < count; ++l) {
+        batch[l] = static_cast<std::uint32_t>(first + l);
+        from[l] = original[first + l];
+      }
+      near.read(neighborhoods, {batch.data(), count});
+      move_batch({batch.data(), count}, cloud, near, from, how, nullptr, moved);
+      for (std::size_t l = 0; l < count; ++l) {
+        points[first + l] = moved.places[l];
+        field.label[first + l] = moved.classes[l].label;
+        field.direction[first + l] = moved.classes[l].direction;
+      }
+    }
+  });
   return field;
-}
-
-std::vector<Feature> sweep_together(Points original, std::vector<Vec3>& points, Normals normals,
-                                    const NearLists& lists, const FeatureOptions& feature_options,
-                                    const PositionUpdateOptions& options, NextNormals* next,
-                                    const Execution& execution) {
-  std::vector<Feature> labels(points.size());
-  sweep_all(original, points, normals, lists, feature_options, options, next, keep_in(labels),
-            execution);
-  return labels;
 }
 
 FeatureField sweep_in_place(Points original, std::vector<Vec3>& points, Normals normals,
@@ -212,7 +160,12 @@ FeatureField sweep_in_place(Points original, std::vector<Vec3>& points, Normals 
   FeatureField field = isolated(points.size());
   sweep_batches(
       order.size(), [&](std::size_t at) { return order.subspan(at, 1); }, neighborhoods, original,
-      points, normals, feature_options, options, nullptr, keep_in(field), execution);
+      points, normals, feature_options, options, nullptr,
+      [&](std::size_t i, const PointClass& point_class) {
+        field.label[i] = point_class.label;
+        field.direction[i] = point_class.direction;
+      },
+      execution);
   return field;
 }
 
@@ -228,7 +181,9 @@ std::vector<Feature> sweep_along(const SweepPlan& plan, Points original, std::ve
         const std::size_t begin = k > 0 ? plan.ends[k - 1] : 0;
         return std::span(plan.order).subspan(begin, plan.ends[k] - begin);
       },
-      lists, original, points, normals, feature_options, options, next, keep_in(labels), execution);
+      lists, original, points, normals, feature_options, options, next,
+      [&](std::size_t i, const PointClass& point_class) { labels[i] = point_class.label; },
+      execution);
   return labels;
 }
 

@@ -89,12 +89,14 @@ void run_published(Neighborhoods nearest, const Schedule& schedule, const Workin
     const bool last = round + 1 == schedule.rounds;
     NextNormals next{.filter = schedule.normal_filter, .normals = {}};
     NextNormals* const wanted = fused && !last ? &next : nullptr;
-    std::vector<Vec3> moved = state.points;
+    std::vector<Vec3> moved(state.points.size());
+    if (schedule.in_place) moved = state.points;
     state.labels = clock.time("features and positions", [&] {
-      return schedule.in_place ? sweep_along(plan, set.points, moved, state.normals, lists,
-                                             schedule.features, schedule.update, wanted, part)
-                               : sweep_together(set.points, moved, state.normals, lists,
-                                                schedule.features, schedule.update, wanted, part);
+      return schedule.in_place
+                 ? sweep_along(plan, set.points, moved, state.normals, lists, schedule.features,
+                               schedule.update, wanted, part)
+                 : sweep_together(set.points, state.points, state.normals, lists, schedule.features,
+                                  schedule.update, moved, wanted, part);
     });
     if (wanted != nullptr) state.normals = std::move(next.normals);
     report.rounds.push_back(measure(state.points, moved, set, quiet));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "deburr/normal_filter.hpp"
@@ -19,12 +20,17 @@ struct NextNormals {
   std::vector<Vec3> normals;
 };
 
-/// sweep_at_once. The direction of edges is not kept.
+/// @throws std::invalid_argument  naming the option that is out of its range
+void validate(const PositionUpdateOptions& options);
+
+/// sweep_at_once, block by block of the lists, so that no copy of all rows is needed. The direction
+/// of edges is not kept.
+/// @param[out] moved  where the points go; not `points`
 /// @param[out] next  null if it is not wanted
-std::vector<Feature> sweep_together(Points original, std::vector<Vec3>& points, Normals normals,
+std::vector<Feature> sweep_together(Points original, Points points, Normals normals,
                                     const NearLists& lists, const FeatureOptions& feature_options,
-                                    const PositionUpdateOptions& options, NextNormals* next,
-                                    const Execution& execution);
+                                    const PositionUpdateOptions& options, std::span<Vec3> moved,
+                                    NextNormals* next, const Execution& execution);
 
 /// sweep_in_place over all points, along a plan that was made for its order. Neither is here.
 /// @param lists  those that the plan was made for

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <ostream>
+#include <string>
 #include <vector>
 
 #include "deburr/metrics.hpp"
@@ -22,13 +25,13 @@ namespace deburr {
 namespace {
 
 /// Blocks smaller than eight lanes, not a multiple of them, larger than usual, and the whole cloud.
-constexpr std::array<Execution, 7> ways{{{.threads = 2},
-                                         {.threads = 3},
-                                         {.threads = 7},
-                                         {.threads = 2, .block = 5},
-                                         {.threads = 7, .block = 100},
-                                         {.threads = 3, .block = 1500},
-                                         {.threads = 1, .block = std::size_t{1} << 40}}};
+const std::array<Execution, 7> ways{{{.threads = 2},
+                                     {.threads = 3},
+                                     {.threads = 7},
+                                     {.threads = 2, .block = 5},
+                                     {.threads = 7, .block = 100},
+                                     {.threads = 3, .block = 1500},
+                                     {.threads = 1, .block = std::size_t{1} << 40}}};
 
 struct Case {
   const char* name;
@@ -101,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Clouds, SameBits,
                          testing::Values(Case{"part", Shape::Part, 0.7, 0},
                                          Case{"torus", Shape::Torus, 2, 0},
                                          Case{"sheet", Shape::BumpySheet, 0.5, 0.05}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& c) { return std::string(c.param.name); });
 
 // What is gathered by blocks of 1024 is never touched by two threads, whatever blocks there are.
 TEST(ParallelBlocks, CoverEveryItemOnceInTheOrderOfTheirPart) {

@@ -120,8 +120,8 @@ TEST(NextNormals, HaveTheBitsOfTheFilter) {
 
   std::vector<Vec3> points = original;
   const NearLists lists = lists_of(near);
-  const std::vector<Feature> labels =
-      sweep_together(original, points, normals, lists, features, options, &at_once, {.threads = 2});
+  const std::vector<Feature> labels = sweep_together(original, original, normals, lists, features,
+                                                     options, points, &at_once, {.threads = 2});
   EXPECT_EQ(at_once.normals, expected);
   std::vector<Vec3> without = original;
   EXPECT_EQ(sweep_at_once(original, without, normals, near, features, options).label, labels);
