@@ -234,11 +234,10 @@ void CellGrid::find(std::size_t begin, std::size_t end, std::span<const std::siz
   }
 }
 
-void CellGrid::find_of(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> wanted,
-                       std::span<std::uint32_t* const> to) const {
+void CellGrid::find(std::span<const Query> queries) const {
   Runs runs;
   DistanceSort sort(squared_radius_);
-  for (std::size_t k = 0; k < slots.size(); ++k) find_one(slots[k], wanted[k], to[k], runs, sort);
+  for (const Query& query : queries) find_one(query.slot, query.wanted, query.to, runs, sort);
 }
 
 void CellGrid::find_one(std::size_t slot, std::size_t wanted, std::uint32_t* to, Runs& runs,

@@ -41,9 +41,13 @@ class CellGrid {
   void find(std::size_t begin, std::size_t end, std::span<const std::size_t> wanted,
             std::span<std::uint32_t* const> to) const;
 
-  /// The same for any slots, of which near ones should follow each other.
-  void find_of(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> wanted,
-               std::span<std::uint32_t* const> to) const;
+  /// A slot, how many of its neighbours are wanted, and where they are written.
+  struct Query {
+    std::uint32_t slot, wanted;
+    std::uint32_t* to;
+  };
+  /// The same for any slots, of which those of one cell should follow each other.
+  void find(std::span<const Query> queries) const;
 
  private:
   struct Axis {

@@ -27,69 +27,49 @@ void widen(const std::uint16_t* list, std::size_t count, std::uint32_t* to) {
 
 }  // namespace
 
-/// Numbers points in the order that they come in.
+/// Numbers the points that a block sees, near ones next to each other as they are in the cloud.
 class NearLists::Compressor {
  public:
+  explicit Compressor(std::size_t count) : numbers_(count, none) {}
+
   /// The lists of a block.
   void compress(std::span<const std::uint32_t> indices, Block& block) {
-    keys_.assign(std::size_t{1} << 14, none);
-    numbers_.resize(keys_.size());
-    block.points.clear();
-    block.lists.resize(indices.size());
-    for (std::size_t k = 0; k < indices.size(); ++k) {
-      const std::uint32_t number = number_of(indices[k], block.points);
-      if (number >= most_in_table) {
-        block.lists = {};
-        block.points = {};
-        block.wide.assign(indices.begin(), indices.end());
-        return;
-      }
-      block.lists[k] = static_cast<std::uint16_t>(number);
+    seen_.clear();
+    for (const std::uint32_t i : indices) {
+      if (numbers_[i] != none) continue;
+      numbers_[i] = 0;
+      seen_.push_back(i);
     }
-    block.points.shrink_to_fit();
+    if (seen_.size() <= most_in_table) {
+      std::ranges::sort(seen_);
+      for (std::uint32_t k = 0; k < seen_.size(); ++k) numbers_[seen_[k]] = k;
+      block.points = seen_;
+      block.lists.reserve(indices.size());
+      for (const std::uint32_t i : indices) {
+        block.lists.push_back(static_cast<std::uint16_t>(numbers_[i]));
+      }
+    } else {
+      block.wide.assign(indices.begin(), indices.end());
+    }
+    for (const std::uint32_t i : seen_) numbers_[i] = none;
   }
 
  private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-  std::uint32_t number_of(std::uint32_t point, std::vector<std::uint32_t>& points) {
-    const std::size_t slot = slot_of(point);
-    if (keys_[slot] == point) return numbers_[slot];
-    const auto number = static_cast<std::uint32_t>(points.size());
-    keys_[slot] = point;
-    numbers_[slot] = number;
-    points.push_back(point);
-    if (2 * points.size() > keys_.size()) grow(points);
-    return number;
-  }
-  [[nodiscard]] std::size_t slot_of(std::uint32_t point) const {
-    constexpr std::uint32_t golden = 0x9e3779b1U;  // spreads neighbours over the table
-    const std::size_t mask = keys_.size() - 1;
-    std::size_t slot = (point * golden >> 8U) & mask;
-    while (keys_[slot] != none && keys_[slot] != point) slot = (slot + 1) & mask;
-    return slot;
-  }
-  void grow(const std::vector<std::uint32_t>& points) {
-    keys_.assign(2 * keys_.size(), none);
-    numbers_.resize(keys_.size());
-    for (std::uint32_t number = 0; number < points.size(); ++number) {
-      const std::size_t slot = slot_of(points[number]);
-      keys_[slot] = points[number];
-      numbers_[slot] = number;
-    }
-  }
-
-  std::vector<std::uint32_t> keys_;
-  std::vector<std::uint32_t> numbers_;
+  std::vector<std::uint32_t> numbers_;  ///< of the points of the cloud that the block sees
+  std::vector<std::uint32_t> seen_;
 };
 
 /// @param find  find(begin, end, to) writes the lists of these points, one after the other
 template <typename Find>
 void NearLists::make_blocks(std::size_t count, const Find& find, const Execution& execution) {
   blocks_.resize((count + block_ - 1) / block_);
-  parallel_blocks<1>(blocks_.size(), execution, [&](std::size_t first, std::size_t last) {
+  // To clear a number for each point of the cloud is little work next to that of several blocks.
+  constexpr std::size_t at_a_time = 8;
+  parallel_blocks<at_a_time>(blocks_.size(), execution, [&](std::size_t first, std::size_t last) {
     std::vector<std::uint32_t> indices;
-    Compressor compressor;
+    Compressor compressor(count);
     for (std::size_t b = first; b < last; ++b) {
       const std::size_t begin = b * block_;
       const std::size_t end = std::min(count, begin + block_);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "deburr/error.hpp"
@@ -51,12 +52,14 @@ std::vector<std::uint32_t> NeighborSearch::count_all(const Execution& execution)
 void NeighborSearch::find(std::size_t begin, std::span<const std::uint32_t> counts,
                           std::uint32_t* to) const {
   if (grid_) {
-    std::vector<std::uint32_t*> lists(counts.size());
+    std::vector<CellGrid::Query> queries(counts.size());
     for (std::size_t k = 0; k < counts.size(); ++k) {
-      lists[k] = to;
+      queries[k] = {slot_[begin + k], counts[k], to};
       to += counts[k];
     }
-    grid_->find_of({slot_.data() + begin, counts.size()}, counts, lists);
+    // Those of one cell search the same cells.
+    std::ranges::sort(queries, {}, &CellGrid::Query::slot);
+    grid_->find(queries);
     return;
   }
   std::vector<Found> found;
