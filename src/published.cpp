@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "deburr/normals.hpp"
 #include "deburr/orientation.hpp"
@@ -58,6 +59,9 @@ void run_published(Neighborhoods nearest, const Schedule& schedule, const Workin
   nearest = {};  // their memory is wanted for more of them
   NearLists lists;
   SweepPlan plan;
+  // Kept from round to round: new memory takes long, and one thread alone can take it.
+  NextNormals next{.filter = schedule.normal_filter, .normals = {}};
+  std::vector<Vec3> moved;
   // The filter of a round compares the neighbours as the movement of the round before does.
   const bool fused = !schedule.rebuild;
   for (int round = 0; round < schedule.rounds; ++round) {
@@ -87,10 +91,9 @@ void run_published(Neighborhoods nearest, const Schedule& schedule, const Workin
       });
     }
     const bool last = round + 1 == schedule.rounds;
-    NextNormals next{.filter = schedule.normal_filter, .normals = {}};
     NextNormals* const wanted = fused && !last ? &next : nullptr;
-    std::vector<Vec3> moved(state.points.size());
-    if (schedule.in_place) moved = state.points;
+    moved.resize(state.points.size());
+    if (schedule.in_place) std::ranges::copy(state.points, moved.begin());
     state.labels = clock.time("features and positions", [&] {
       return schedule.in_place
                  ? sweep_along(plan, set.points, moved, state.normals, lists, schedule.features,
@@ -98,9 +101,9 @@ void run_published(Neighborhoods nearest, const Schedule& schedule, const Workin
                  : sweep_together(set.points, state.points, state.normals, lists, schedule.features,
                                   schedule.update, moved, wanted, part);
     });
-    if (wanted != nullptr) state.normals = std::move(next.normals);
+    if (wanted != nullptr) std::swap(state.normals, next.normals);
     report.rounds.push_back(measure(state.points, moved, set, quiet));
-    state.points = std::move(moved);
+    std::swap(state.points, moved);
   }
 }
 
