@@ -62,6 +62,7 @@ void NeighborSearch::find(std::size_t begin, std::span<const std::uint32_t> coun
     grid_->find(queries);
     return;
   }
+  if (!tree_) return;
   std::vector<Found> found;
   for (std::size_t k = 0; k < counts.size(); ++k) {
     tree_->within(static_cast<std::uint32_t>(begin + k), radius_ * radius_, found);
