@@ -80,13 +80,14 @@ std::optional<CellGrid> CellGrid::make(Points points, double radius, std::size_t
   return grid;
 }
 
+std::uint32_t CellGrid::along(double v, const Axis& axis) const {
+  return std::min(static_cast<std::uint32_t>((v - axis.low) * per_cell_), axis.cells - 1);
+}
+
 void CellGrid::sort_points(Points points, const Execution& execution) {
   const std::size_t rows = std::size_t{axes_[1].cells} * axes_[2].cells;
   begins_.assign(rows * axes_[0].cells + 1, 0);
   std::vector<std::uint32_t> cells(points.size());
-  const auto along = [&](double v, const Axis& axis) {
-    return std::min(static_cast<std::uint32_t>((v - axis.low) * per_cell_), axis.cells - 1);
-  };
   parallel_for(points.size(), execution, [&](std::size_t i) {
     const Vec3& p = points[i];
     cells[i] = (along(p.z, axes_[2]) * axes_[1].cells + along(p.y, axes_[1])) * axes_[0].cells +
@@ -121,9 +122,6 @@ double CellGrid::squared_occupancy() const {
 }
 
 void CellGrid::set_runs(std::size_t slot, Runs& runs) const {
-  const auto along = [&](double v, const Axis& axis) {
-    return std::min(static_cast<std::uint32_t>((v - axis.low) * per_cell_), axis.cells - 1);
-  };
   const std::uint32_t cx = along(x_[slot], axes_[0]);
   const std::uint32_t cy = along(y_[slot], axes_[1]);
   const std::uint32_t cz = along(z_[slot], axes_[2]);
@@ -222,15 +220,6 @@ void CellGrid::count(std::size_t begin, std::size_t end, std::size_t* counts) co
                         squared_radius_);
     }
     counts[slot - begin] = static_cast<std::size_t>(near);
-  }
-}
-
-void CellGrid::find(std::size_t begin, std::size_t end, std::span<const std::size_t> wanted,
-                    std::span<std::uint32_t* const> to) const {
-  Runs runs;
-  DistanceSort sort(squared_radius_);
-  for (std::size_t slot = begin; slot < end; ++slot) {
-    find_one(slot, wanted[slot - begin], to[slot - begin], runs, sort);
   }
 }
 

@@ -36,17 +36,13 @@ class CellGrid {
   /// For each slot in [begin, end), how many other points are within the radius.
   void count(std::size_t begin, std::size_t end, std::size_t* counts) const;
 
-  /// Writes for each slot in [begin, end) the `wanted[slot - begin]` nearest other points within
-  /// the radius to `to[slot - begin]`, sorted by (distance, index). There are as many.
-  void find(std::size_t begin, std::size_t end, std::span<const std::size_t> wanted,
-            std::span<std::uint32_t* const> to) const;
-
   /// A slot, how many of its neighbours are wanted, and where they are written.
   struct Query {
     std::uint32_t slot, wanted;
     std::uint32_t* to;
   };
-  /// The same for any slots, of which those of one cell should follow each other.
+  /// Writes the wanted number of nearest other points within the radius, sorted by (distance,
+  /// index). There are as many. Slots of one cell should follow each other.
   void find(std::span<const Query> queries) const;
 
  private:
@@ -59,6 +55,7 @@ class CellGrid {
   CellGrid() = default;
   void sort_points(Points points, const Execution& execution);
   [[nodiscard]] double squared_occupancy() const;  ///< pairs of points of one cell
+  [[nodiscard]] std::uint32_t along(double v, const Axis& axis) const;  ///< cell of a coordinate
   void set_runs(std::size_t slot, Runs& runs) const;
   void find_one(std::size_t slot, std::size_t wanted, std::uint32_t* to, Runs& runs,
                 DistanceSort& sort) const;

@@ -16,7 +16,7 @@ namespace deburr {
 NeighborSearch::NeighborSearch(Points points, double radius, const Execution& execution)
     : points_(points), radius_(radius), grid_(CellGrid::make(points, radius, 0, execution)) {
   if (!grid_) {
-    tree_.emplace(points, execution);
+    tree_ = std::make_unique<KdTree>(points, execution);
     return;
   }
   slot_.resize(points.size());
@@ -62,7 +62,6 @@ void NeighborSearch::find(std::size_t begin, std::span<const std::uint32_t> coun
     grid_->find(queries);
     return;
   }
-  if (!tree_) return;
   std::vector<Found> found;
   for (std::size_t k = 0; k < counts.size(); ++k) {
     tree_->within(static_cast<std::uint32_t>(begin + k), radius_ * radius_, found);

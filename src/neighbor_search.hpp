@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,7 +38,7 @@ class NeighborSearch {
   double radius_;
   std::optional<CellGrid> grid_;
   std::vector<std::uint32_t> slot_;  ///< of each point in the grid
-  std::optional<KdTree> tree_;
+  std::unique_ptr<KdTree> tree_;     ///< where there is no grid
 };
 
 }  // namespace deburr

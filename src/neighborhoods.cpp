@@ -77,14 +77,15 @@ Neighborhoods search_grid(const CellGrid& grid, const NeighborOptions& options,
   std::vector<std::uint32_t> indices = make_indices(offsets.back(), execution);
   parallel_blocks(grid.size(), sub_execution(execution, "neighbourhoods", counted, 1),
                   [&](std::size_t begin, std::size_t end) {
-                    std::vector<std::size_t> wanted(end - begin);
-                    std::vector<std::uint32_t*> to(end - begin);
+                    std::vector<CellGrid::Query> queries(end - begin);
                     for (std::size_t slot = begin; slot < end; ++slot) {
                       const std::size_t offset = offsets[grid.index(slot)];
-                      wanted[slot - begin] = offsets[grid.index(slot) + 1] - offset;
-                      to[slot - begin] = indices.data() + offset;
+                      const std::size_t wanted = offsets[grid.index(slot) + 1] - offset;
+                      queries[slot - begin] = {static_cast<std::uint32_t>(slot),
+                                               static_cast<std::uint32_t>(wanted),
+                                               indices.data() + offset};
                     }
-                    grid.find(begin, end, wanted, to);
+                    grid.find(queries);
                   });
   return {std::move(offsets), std::move(indices)};
 }
