@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
+#include <mutex>
 #include <ostream>
+#include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "deburr/metrics.hpp"
@@ -119,6 +123,19 @@ TEST(ParallelBlocks, CoverEveryItemOnceInTheOrderOfTheirPart) {
     }
     EXPECT_EQ(next, n) << block;
   }
+}
+
+TEST(ParallelBlocks, GiveAllBlocksOfAPartToOneThread) {
+  constexpr std::size_t n = 8 * block_size;
+  std::array<std::set<std::thread::id>, n / block_size> threads;
+  std::mutex lock;
+  parallel_blocks(n, {.threads = 4, .block = 100}, [&](std::size_t begin, std::size_t) {
+    // Other threads are to have the time to come and take the next block.
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const std::lock_guard guard(lock);
+    threads.at(begin / block_size).insert(std::this_thread::get_id());
+  });
+  for (const auto& of_part : threads) EXPECT_EQ(of_part.size(), 1U);
 }
 
 }  // namespace
