@@ -41,10 +41,14 @@ class CellGrid {
   /// For each slot in [begin, end), how many other points are within the radius.
   void count(std::size_t begin, std::size_t end, std::size_t* counts) const;
 
-  /// Writes for each slot in [begin, end) the `wanted[slot - begin]` nearest other points within
-  /// the radius to `to[slot - begin]`, sorted by (distance, index). There are as many.
-  void find(std::size_t begin, std::size_t end, std::span<const std::size_t> wanted,
-            std::span<std::uint32_t* const> to) const;
+  /// A slot, how many of its neighbours are wanted, and where they are written.
+  struct Query {
+    std::uint32_t slot, wanted;
+    std::uint32_t* to;
+  };
+  /// Writes the wanted number of nearest other points within the radius, sorted by (distance,
+  /// index). There are as many. Slots of one cell should follow each other.
+  void find(std::span<const Query> queries) const;
 
   /// For few: writes for each slot in [begin, end) the `count` nearest other points to
   /// `to[(slot - begin) * count]`, sorted by (distance, index). Where there are fewer within the

@@ -140,16 +140,15 @@ std::size_t CellGrid::gather(const Vec3& at, const Runs& runs, const Space& spac
   return size;
 }
 
-void CellGrid::find(std::size_t begin, std::size_t end, std::span<const std::size_t> wanted,
-                    std::span<std::uint32_t* const> to) const {
+void CellGrid::find(std::span<const Query> queries) const {
   Runs runs;
   DistanceSort sort(squared_radius_);
-  for (std::size_t slot = begin; slot < end; ++slot) {
-    const Vec3 at = place(slot);
+  for (const Query& query : queries) {
+    const Vec3 at = place(query.slot);
     set_runs(at, runs);
     sort.reserve(runs.candidates + 1);
     const std::size_t size = gather(at, runs, {sort.squared_distances(), sort.indices()});
-    sort.write(size, index_[slot], wanted[slot - begin], to[slot - begin]);
+    sort.write(size, index_[query.slot], query.wanted, query.to);
   }
 }
 

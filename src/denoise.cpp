@@ -66,7 +66,7 @@ Neighborhoods measure_spacing(Points points, std::size_t k, const WorkingSet& se
 
 void run_yadav2018(const Yadav2018Options& options, const WorkingSet& set, bool keep_normals,
                    State& state, Report& report, StageClock& clock, const Execution& execution) {
-  const Neighborhoods nearest = clock.time("spacing and noise", [&] {
+  Neighborhoods nearest = clock.time("spacing and noise", [&] {
     Neighborhoods found =
         measure_spacing(set.points, options.k, set, report,
                         sub_execution(execution, "spacing and noise", 0.02, 0.06));
@@ -80,7 +80,7 @@ void run_yadav2018(const Yadav2018Options& options, const WorkingSet& set, bool 
   report.kept_normals = keep_normals;
   const Schedule schedule = make_schedule(options, spacing);
   report.max_move = set.length(schedule.update.max_move);
-  run_published(nearest, schedule, set, keep_normals, state, report, clock,
+  run_published(std::move(nearest), schedule, set, keep_normals, state, report, clock,
                 sub_execution(execution, "rounds", 0.1, 1));
 }
 
@@ -112,7 +112,9 @@ void run_automatic(const AutoOptions& options, const AutomaticParts& parts, cons
   std::vector<std::uint32_t> kept;
   std::vector<Vec3> points;
   std::vector<Vec3> normals;
+  CancelWatch watch(execution);
   for (std::uint32_t i = 0; i < set.points.size(); ++i) {
+    watch();
     if (outliers[i] != 0) continue;
     kept.push_back(i);
     points.push_back(set.points[i]);
@@ -165,23 +167,23 @@ void run_automatic(const AutoOptions& options, const AutomaticParts& parts, cons
 
 /// Puts what was found into the order of the cloud.
 void fill_result(const WorkingSet& set, const State& state, std::span<const std::uint8_t> outliers,
-                 DenoiseResult& result) {
+                 DenoiseResult& result, const Execution& execution) {
   PointCloud& cloud = result.cloud;
   cloud.normals.resize(cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
+  parallel_for(cloud.size(), without_progress(execution), [&](std::size_t i) {
     const std::uint32_t slot = set.slot[i];
-    if (slot == WorkingSet::none) continue;
+    if (slot == WorkingSet::none) return;
     const Vec3 before = cloud.points[i];
     cloud.points[i] = set.moved(before, set.points[slot], state.points[slot]);
     cloud.normals[i] = state.normals[slot];
     result.labels[i] = state.labels[slot];
     result.outliers[i] = outliers[slot];
-    if (cloud.points[i] == before) continue;
+    if (cloud.points[i] == before) return;
     // In local coordinates, where no square overflows.
     const double moved = set.length(norm(state.points[slot] - set.points[slot]));
     // A move that was cut at the bound is as long as it but for rounding.
     result.displacement[i] = std::min(moved, result.report.max_move);
-  }
+  });
 }
 
 }  // namespace
@@ -230,13 +232,15 @@ DenoiseResult denoise_with(const AutomaticParts& parts, const PointCloud& cloud,
     run_automatic(options.automatic, parts, set, keep_normals, state, outliers, report, clock,
                   execution);
   }
-  fill_result(set, state, outliers, result);
+  fill_result(set, state, outliers, result, execution);
   for (const Feature label : result.labels) ++report.labels[static_cast<std::size_t>(label)];
   report.outliers = static_cast<std::size_t>(std::ranges::count(result.outliers, 1));
   if (options.automatic.outliers == OutlierAction::Remove && report.outliers > 0) {
     remove_outliers(result);
   }
   report.kept = result.cloud.size();
+  // Whoever asks at the very last to stop gets no result either.
+  check_cancelled(execution);
   report.stages = std::move(clock).times();
   return result;
 }

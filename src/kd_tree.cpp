@@ -77,8 +77,10 @@ void KdTree::build(std::uint32_t self, std::uint32_t begin, std::uint32_t end,
                              : extent.y == largest ? &Vec3::y
                                                    : &Vec3::z;
   const std::uint32_t middle = begin + (end - begin) / 2;
+  CancelWatch watch(execution);
   std::nth_element(items.begin() + begin, items.begin() + middle, items.begin() + end,
-                   [axis](const Item& a, const Item& b) {
+                   [axis, &watch](const Item& a, const Item& b) {
+                     watch();
                      const double va = a.at.*axis;
                      const double vb = b.at.*axis;
                      return va != vb ? va < vb : a.index < b.index;

@@ -90,8 +90,7 @@ bool has_near_duplicates(Points points, double distance) {
 
 std::vector<std::uint32_t> find_near_duplicates(Points points, const Execution& execution) {
   if (points.size() < fewest_points) return {};
-  Execution quiet = execution;
-  quiet.progress = nullptr;
+  const Execution quiet = without_progress(execution);
   const Nearness nearness(points, quiet);
   if (!has_near_duplicates(points, nearness.typical())) return {};
 
@@ -113,7 +112,9 @@ std::vector<std::uint32_t> find_near_duplicates(Points points, const Execution& 
   std::vector<std::uint32_t> standing(points.size());
   std::iota(standing.begin(), standing.end(), 0U);
   bool any = false;
+  CancelWatch watch(quiet);
   for (std::uint32_t i = 0; i < standing.size(); ++i) {
+    watch();
     if (standing[i] != i) continue;
     for (const std::uint32_t j : later[i]) {
       if (standing[j] == j) standing[j] = i;

@@ -13,6 +13,7 @@
 #include "deburr/error.hpp"
 #include "kd_tree.hpp"
 #include "nearest_beside.hpp"
+#include "neighbor_search.hpp"
 #include "parallel.hpp"
 
 namespace deburr {
@@ -26,6 +27,13 @@ Neighborhoods::Neighborhoods(std::vector<std::size_t> offsets, std::vector<std::
   if (!partition) throw std::invalid_argument("neighborhoods.offsets do not partition the indices");
 }
 
+std::string too_many_pairs(std::size_t points, double radius, std::size_t pairs) {
+  return fmt::format(
+      "the neighbourhoods of {} points within a radius of {} hold {} pairs, more than the {} that "
+      "are allowed",
+      points, radius, pairs, max_pairs);
+}
+
 namespace {
 
 constexpr double counted = 0.3;  ///< share of the progress that counting takes
@@ -35,11 +43,20 @@ constexpr double counted = 0.3;  ///< share of the progress that counting takes
 void make_offsets(std::vector<std::size_t>& offsets, double radius) {
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
   if (offsets.back() > max_pairs) {
-    throw DataError(fmt::format(
-        "the neighbourhoods of {} points within a radius of {} hold {} pairs, more than the {} "
-        "that are allowed",
-        offsets.size() - 1, radius, offsets.back(), max_pairs));
+    throw DataError(too_many_pairs(offsets.size() - 1, radius, offsets.back()));
   }
+}
+
+/// Room for all neighbours, taken step by step: where memory is new, that takes long.
+std::vector<std::uint32_t> make_indices(std::size_t count, const Execution& execution) {
+  constexpr std::size_t step = std::size_t{1} << 22;
+  std::vector<std::uint32_t> indices;
+  indices.reserve(count);
+  while (indices.size() < count) {
+    check_cancelled(execution);
+    indices.resize(std::min(count, indices.size() + step));
+  }
+  return indices;
 }
 
 // Counting first tells what memory is needed before any is taken.
@@ -58,17 +75,18 @@ Neighborhoods search_grid(const CellGrid& grid, const NeighborOptions& options,
                     }
                   });
   make_offsets(offsets, options.radius);
-  std::vector<std::uint32_t> indices(offsets.back());
+  std::vector<std::uint32_t> indices = make_indices(offsets.back(), execution);
   parallel_blocks(grid.size(), sub_execution(execution, "neighbourhoods", counted, 1),
                   [&](std::size_t begin, std::size_t end) {
-                    std::vector<std::size_t> wanted(end - begin);
-                    std::vector<std::uint32_t*> to(end - begin);
+                    std::vector<CellGrid::Query> queries(end - begin);
                     for (std::size_t slot = begin; slot < end; ++slot) {
                       const std::size_t offset = offsets[grid.index(slot)];
-                      wanted[slot - begin] = offsets[grid.index(slot) + 1] - offset;
-                      to[slot - begin] = indices.data() + offset;
+                      const std::size_t wanted = offsets[grid.index(slot) + 1] - offset;
+                      queries[slot - begin] = {static_cast<std::uint32_t>(slot),
+                                               static_cast<std::uint32_t>(wanted),
+                                               indices.data() + offset};
                     }
-                    grid.find(begin, end, wanted, to);
+                    grid.find(queries);
                   });
   return {std::move(offsets), std::move(indices)};
 }
@@ -102,7 +120,7 @@ Neighborhoods search_tree(Points points, const NeighborOptions& options,
   parallel_for(points.size(), sub_execution(execution, "neighbourhoods", 0, counted),
                [&](std::size_t at) { offsets[order[at] + 1] = count(order[at]); });
   make_offsets(offsets, options.radius);
-  std::vector<std::uint32_t> indices(offsets.back());
+  std::vector<std::uint32_t> indices = make_indices(offsets.back(), execution);
   parallel_blocks(points.size(), sub_execution(execution, "neighbourhoods", counted, 1),
                   [&](std::size_t begin, std::size_t end) {
                     NearestBeside nearest;
@@ -141,8 +159,8 @@ Neighborhoods find_neighbors(Points points, const NeighborOptions& options,
   }
 
   if (options.radius > 0) {
-    const Execution quiet{.threads = execution.threads, .cancelled = execution.cancelled};
-    if (const auto grid = CellGrid::make(points, options.radius, options.max_count, quiet)) {
+    if (const auto grid = CellGrid::make(points, options.radius, options.max_count,
+                                         without_progress(execution))) {
       return search_grid(*grid, options, execution);
     }
   }

@@ -18,8 +18,9 @@ struct Votes {
 };
 
 /// Filters the normals of up to eight points by their votes; see filter_normals.
-/// @param[out] filtered  gets them, by point
+/// @param points  indices into normals
+/// @param[out] filtered  gets them, in the order of the points
 void turn_by_votes(const Votes& votes, std::span<const std::uint32_t> points, const Row* normals,
-                   const NormalFilterOptions& options, Voteless voteless, Vec3* filtered);
+                   const NormalFilterOptions& options, Voteless voteless, std::span<Vec3> filtered);
 
 }  // namespace deburr

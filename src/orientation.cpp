@@ -19,7 +19,8 @@ namespace deburr {
 namespace {
 
 /// Both directions of edges, as neighbourhoods.
-Neighborhoods adjacency(std::size_t n, const std::vector<Edge>& edges) {
+Neighborhoods adjacency(std::size_t n, const std::vector<Edge>& edges, const Execution& execution) {
+  CancelWatch watch(execution);
   std::vector<std::size_t> offsets(n + 1);
   for (const Edge& edge : edges) {
     ++offsets[edge.i + 1];
@@ -29,6 +30,7 @@ Neighborhoods adjacency(std::size_t n, const std::vector<Edge>& edges) {
   std::vector<std::uint32_t> indices(offsets.back());
   std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
   for (const Edge& edge : edges) {
+    watch();
     indices[next[edge.i]++] = edge.j;
     indices[next[edge.j]++] = edge.i;
   }
@@ -37,11 +39,12 @@ Neighborhoods adjacency(std::size_t n, const std::vector<Edge>& edges) {
 
 /// The highest point of each piece, of several the one with the smallest id; by that id.
 std::vector<std::uint32_t> highest_points(Points points, std::span<const std::uint32_t> ids,
-                                          Pieces& pieces) {
+                                          Pieces& pieces, CancelWatch& watch) {
   // A piece is known by its first point, which is met first.
   std::vector<std::uint32_t> highest(points.size());
   std::vector<std::uint32_t> firsts;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
+    watch();
     const std::uint32_t first = pieces.find(i);
     if (first == i) {
       firsts.push_back(i);
@@ -60,18 +63,19 @@ std::vector<std::uint32_t> highest_points(Points points, std::span<const std::ui
 void orient(Points points, std::span<const std::uint32_t> ids, const Neighborhoods& neighborhoods,
             std::vector<Vec3>& normals, const Execution& execution) {
   Pieces pieces(points.size());
-  const Neighborhoods forest =
-      adjacency(points.size(), spanning_forest(normals, neighborhoods, ids, pieces, execution));
-  check_cancelled(execution);
+  const Neighborhoods forest = adjacency(
+      points.size(), spanning_forest(normals, neighborhoods, ids, pieces, execution), execution);
+  CancelWatch watch(execution);
   std::vector<bool> seen(points.size());
   std::vector<std::uint32_t> open;
-  for (const std::uint32_t root : highest_points(points, ids, pieces)) {
+  for (const std::uint32_t root : highest_points(points, ids, pieces, watch)) {
     seen[root] = true;
     if (points_down(normals[root])) normals[root] = -normals[root];
     open.push_back(root);
     while (!open.empty()) {
       const std::uint32_t parent = open.back();
       open.pop_back();
+      watch();
       for (const std::uint32_t child : forest[parent]) {
         if (seen[child]) continue;
         seen[child] = true;
@@ -133,7 +137,7 @@ std::vector<Vec3> orient_normals(Points points, Normals normals, const Neighborh
     return oriented;
   }
   // Points at random places in memory take three times as long.
-  const Execution quiet{.threads = execution.threads, .cancelled = execution.cancelled};
+  const Execution quiet = without_progress(execution);
   order = spatial_order(points, quiet);
   std::vector<Vec3> along = gather<Vec3>(normals, order);
   orient(gather<Vec3>(points, order), order, in_order(neighborhoods, order, quiet), along, quiet);

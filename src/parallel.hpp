@@ -35,6 +35,27 @@ inline void check_cancelled(const Execution& execution) {
   if (execution.cancelled && execution.cancelled()) throw Cancelled();
 }
 
+/// Looks at the caller's wish to stop now and then, in a loop over items that take next to no time.
+class CancelWatch {
+ public:
+  explicit CancelWatch(const Execution& execution) : execution_(execution) {}
+  /// Called for every item.
+  void operator()() {
+    if (++items_ % (64 * block_size) == 0) check_cancelled(execution_);
+  }
+
+ private:
+  const Execution& execution_;
+  std::uint32_t items_ = 0;
+};
+
+/// The same, but for progress.
+inline Execution without_progress(const Execution& execution) {
+  Execution same = execution;
+  same.progress = nullptr;
+  return same;
+}
+
 /// Number of threads that `execution` asks for.
 inline int thread_count(const Execution& execution) {
   require(execution.threads >= 0 && execution.threads <= most_threads, "threads", "in [0, 256]",
@@ -85,22 +106,31 @@ void parallel_sort(std::vector<Value>& values, const Execution& execution) {
 }
 
 /// Calls body(begin, end) on blocks that cover [0, n); any exception is thrown on to the caller.
+/// Blocks are of `size` items unless the caller wants others. Those that begin within the same
+/// `size` items, counted from 0, are worked on one after the other and by one thread: what they
+/// gather may be kept by begin / size.
 template <std::size_t size = block_size, typename Body>
 void parallel_blocks(std::size_t n, const Execution& execution, const Body& body) {
+  const std::size_t wanted = std::min(execution.block, n);
+  const std::size_t block =
+      wanted == 0 ? size : std::max<std::size_t>(1, wanted * size / block_size);
+  const std::size_t task = (block + size - 1) / size * size;
   // Progress is told on the caller's thread, so the loop comes back to it now and then.
-  constexpr std::size_t stretch = 64 * size;
+  const std::size_t stretch = 64 * task;
   for (std::size_t from = 0; from < n; from += stretch) {
     const std::size_t to = std::min(n, from + stretch);
-    const std::size_t blocks = (to - from + size - 1) / size;
+    const std::size_t tasks = (to - from + task - 1) / task;
     check_cancelled(execution);
     with_threads(execution, [&] {
       tbb::parallel_for(
-          tbb::blocked_range<std::size_t>(0, blocks, 1),
+          tbb::blocked_range<std::size_t>(0, tasks, 1),
           [&](const tbb::blocked_range<std::size_t>& range) {
-            for (std::size_t b = range.begin(); b != range.end(); ++b) {
-              check_cancelled(execution);
-              const std::size_t begin = from + b * size;
-              body(begin, std::min(to, begin + size));
+            for (std::size_t t = range.begin(); t != range.end(); ++t) {
+              const std::size_t end = std::min(to, from + (t + 1) * task);
+              for (std::size_t begin = from + t * task; begin < end; begin += block) {
+                check_cancelled(execution);
+                body(begin, std::min(end, begin + block));
+              }
             }
           },
           tbb::simple_partitioner());
@@ -123,10 +153,9 @@ void parallel_for(std::size_t n, const Execution& execution, const Body& body) {
 template <typename Term>
 double parallel_sum(std::size_t n, const Execution& execution, const Term& term) {
   std::vector<double> sums((n + block_size - 1) / block_size);
+  // What is added first must not depend on how many points the caller wants in a block.
   parallel_blocks(n, execution, [&](std::size_t begin, std::size_t end) {
-    double sum = 0;
-    for (std::size_t i = begin; i < end; ++i) sum += term(i);
-    sums[begin / block_size] = sum;
+    for (std::size_t i = begin; i < end; ++i) sums[i / block_size] += term(i);
   });
   double total = 0;
   for (const double sum : sums) total += sum;

@@ -42,9 +42,9 @@ class Elimination {
               std::size_t count, const Execution& execution)
       : radii_(disc_radii(shape, count)),
         execution_(execution),
-        order_(spatial_order(positions(candidates), quiet(execution))),
+        order_(spatial_order(positions(candidates), without_progress(execution))),
         points_(gather<Vec3>(positions(candidates), order_)),
-        tree_(points_, quiet(execution)) {
+        tree_(points_, without_progress(execution)) {
     // Candidates closer than this crowd each other as if they were that far apart: without it the
     // first to go are pairs that lie close by chance.
     const double share = static_cast<double>(count) / static_cast<double>(candidates.size());
@@ -90,10 +90,6 @@ class Elimination {
   }
 
  private:
-  static Execution quiet(const Execution& execution) {
-    return {.threads = execution.threads, .cancelled = execution.cancelled};
-  }
-
   static std::vector<Vec3> positions(const std::vector<SurfacePoint>& candidates) {
     std::vector<Vec3> points;
     points.reserve(candidates.size());

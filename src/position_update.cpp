@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "move_batch.hpp"
 #include "parallel.hpp"
 #include "point_move.hpp"
 #include "require.hpp"
@@ -16,11 +17,17 @@
 namespace deburr {
 namespace {
 
-void validate(Points original, Points points, Normals normals, const Neighborhoods& neighborhoods,
+void validate(Points original, Points points, Normals normals, std::size_t lists,
               const PositionUpdateOptions& options) {
   require_size("original", original.size(), points.size());
   require_size("normals", normals.size(), points.size());
-  require_size("neighborhoods", neighborhoods.size(), points.size());
+  require_size("neighborhoods", lists, points.size());
+  validate(options);
+}
+
+}  // namespace
+
+void validate(const PositionUpdateOptions& options) {
   require(options.position_scale > 0, "position_update.position_scale", "> 0",
           options.position_scale);
   require(options.normal_scale > 0, "position_update.normal_scale", "> 0", options.normal_scale);
@@ -30,56 +37,11 @@ void validate(Points original, Points points, Normals normals, const Neighborhoo
   require(options.max_move >= 0, "position_update.max_move", ">= 0", options.max_move);
 }
 
-/// One round of classifying and moving.
-struct Sweep {
-  Points original;
-  Oriented cloud;
-  const FeatureOptions& features;
-  const PositionUpdateOptions& options;
-  NextNormals* next_normals;
-
-  /// Classifies up to eight points and tells where each of them goes. None sees the others move.
-  /// @param near  near(l) are the neighbours of batch[l]
-  template <typename Near, typename Move>
-  void move(std::span<const std::uint32_t> batch, const Near& near, FeatureField& field,
-            const Move& to) const {
-    Moments moments;
-    SurfaceSums sums;
-    Votes votes;
-    PointClasses classes;
-    for (std::size_t l = 0; l < batch.size(); ++l) {
-      const std::uint32_t i = batch[l];
-      if (next_normals != nullptr) {
-        add_all(i, cloud, near(l), features.rho, options, l, moments, sums, votes);
-      } else {
-        add_both(i, cloud, near(l), features.rho, options, l, moments, sums);
-      }
-    }
-    if (next_normals != nullptr) {
-      turn_by_votes(votes, batch, cloud.normals, next_normals->filter, Voteless::Keep,
-                    next_normals->normals.data());
-    }
-    classify_points(moments, features, classes);
-    std::array<Vec3, lane_count> moved;
-    for (std::size_t l = 0; l < batch.size(); ++l) {
-      const std::uint32_t i = batch[l];
-      moved[l] = move_point(i, original[i], cloud, classes[l], near(l), sums, l, options);
-    }
-    for (std::size_t l = 0; l < batch.size(); ++l) {
-      to(batch[l], moved[l]);
-      field.label[batch[l]] = classes[l].label;
-      field.direction[batch[l]] = classes[l].direction;
-    }
-  }
-};
-
-}  // namespace
-
 std::vector<Vec3> update_positions(Points original, Points points, Normals normals,
                                    const FeatureField& features, const Neighborhoods& neighborhoods,
                                    const PositionUpdateOptions& options,
                                    const Execution& execution) {
-  validate(original, points, normals, neighborhoods, options);
+  validate(original, points, normals, neighborhoods.size(), options);
   require_size("features.label", features.label.size(), points.size());
   require_size("features.direction", features.direction.size(), points.size());
   const std::vector<Row> point_rows = make_rows(points, execution);
@@ -97,79 +59,87 @@ std::vector<Vec3> update_positions(Points original, Points points, Normals norma
   return moved;
 }
 
-FeatureField sweep_at_once(Points original, std::vector<Vec3>& points, Normals normals,
-                           const Neighborhoods& neighborhoods,
-                           const FeatureOptions& feature_options,
-                           const PositionUpdateOptions& options, const Execution& execution) {
-  return sweep_together(original, points, normals, neighborhoods, feature_options, options, nullptr,
-                        execution);
-}
-
-FeatureField sweep_together(Points original, std::vector<Vec3>& points, Normals normals,
-                            const Neighborhoods& neighborhoods,
-                            const FeatureOptions& feature_options,
-                            const PositionUpdateOptions& options, NextNormals* next,
-                            const Execution& execution) {
-  validate(original, points, normals, neighborhoods, options);
-  validate(feature_options);
-  const std::vector<Row> point_rows = make_rows(points, execution);
-  const std::vector<Row> normal_rows = make_rows(normals, execution);
-  if (next != nullptr) next->normals.resize(points.size());
-  const Sweep sweep{
-      original, {point_rows.data(), normal_rows.data()}, feature_options, options, next};
-  FeatureField field{std::vector<Feature>(points.size()), std::vector<Vec3>(points.size())};
-  parallel_blocks(points.size(), execution, [&](std::size_t begin, std::size_t end) {
-    std::array<std::uint32_t, lane_count> batch{};
-    for (std::size_t from = begin; from < end; from += lane_count) {
-      const std::size_t count = std::min(lane_count, end - from);
-      for (std::size_t l = 0; l < count; ++l) batch[l] = static_cast<std::uint32_t>(from + l);
-      const auto near = [&](std::size_t l) { return neighborhoods[from + l]; };
-      sweep.move({batch.data(), count}, near, field,
-                 [&](std::size_t i, const Vec3& moved) { points[i] = moved; });
-    }
-  });
-  return field;
-}
-
 namespace {
 
-/// Moves batches of points in place: batch(k) gives the k-th of them, and near(k, l) the neighbours
-/// of its l-th point.
-template <typename Batch, typename Near>
-FeatureField sweep_batches(std::size_t count, const Batch& batch, const Near& near, Points original,
-                           std::vector<Vec3>& points, Normals normals,
-                           const Neighborhoods& neighborhoods,
-                           const FeatureOptions& feature_options,
-                           const PositionUpdateOptions& options, NextNormals* next,
-                           const Execution& execution) {
-  validate(original, points, normals, neighborhoods, options);
+/// Moves batches of points in place: batch(k) gives the k-th of them.
+template <typename Batch, typename Lists, typename Keep>
+void sweep_batches(std::size_t count, const Batch& batch, const Lists& lists, Points original,
+                   std::vector<Vec3>& points, Normals normals,
+                   const FeatureOptions& feature_options, const PositionUpdateOptions& options,
+                   NextNormals* next, const Keep& keep, const Execution& execution) {
+  validate(original, points, normals, lists.size(), options);
   validate(feature_options);
   std::vector<Row> point_rows = make_rows(points, execution);
   const std::vector<Row> normal_rows = make_rows(normals, execution);
   if (next != nullptr) next->normals.resize(points.size());
-  const Sweep sweep{
-      original, {point_rows.data(), normal_rows.data()}, feature_options, options, next};
-  FeatureField field{std::vector<Feature>(points.size(), Feature::Isolated),
-                     std::vector<Vec3>(points.size())};
+  const Oriented cloud{point_rows.data(), normal_rows.data()};
+  const MoveOptions how{feature_options, options, next != nullptr ? &next->filter : nullptr};
+  MovedBatch moved;
+  std::array<Vec3, lane_count> from{};
   constexpr std::size_t stretch = block_size / lane_count;
+  NearBatch near;
+  NearBatch upcoming;
+  if (count > 0) upcoming.read(lists, batch(0));
   for (std::size_t k = 0; k < count; ++k) {
-    if (k % stretch == 0) {
-      check_cancelled(execution);
-      if (execution.progress) {
-        execution.progress({"", static_cast<double>(k) / static_cast<double>(count)});
-      }
+    check_cancelled(execution);
+    if (k % stretch == 0 && execution.progress) {
+      execution.progress({"", static_cast<double>(k) / static_cast<double>(count)});
     }
-    sweep.move(
-        batch(k), [&](std::size_t l) { return near(k, l); }, field,
-        [&](std::size_t i, const Vec3& moved) {
-          points[i] = moved;
-          point_rows[i] = Row(moved);
-        });
+    std::swap(near, upcoming);
+    const bool more = k + 1 < count;
+    if (more) upcoming.read(lists, batch(k + 1));
+    const std::span<const std::uint32_t> points_here = batch(k);
+    for (std::size_t l = 0; l < points_here.size(); ++l) from[l] = original[points_here[l]];
+    move_batch(points_here, cloud, near, from, how, more ? &upcoming : nullptr, moved);
+    for (std::size_t l = 0; l < points_here.size(); ++l) {
+      const std::uint32_t i = points_here[l];
+      points[i] = moved.places[l];
+      point_rows[i] = Row(moved.places[l]);
+      if (next != nullptr) next->normals[i] = moved.normals[l];
+      keep(i, moved.classes[l]);
+    }
   }
-  return field;
+}
+
+FeatureField isolated(std::size_t count) {
+  return {std::vector<Feature>(count, Feature::Isolated), std::vector<Vec3>(count)};
 }
 
 }  // namespace
+
+FeatureField sweep_at_once(Points original, std::vector<Vec3>& points, Normals normals,
+                           const Neighborhoods& neighborhoods,
+                           const FeatureOptions& feature_options,
+                           const PositionUpdateOptions& options, const Execution& execution) {
+  validate(original, points, normals, neighborhoods.size(), options);
+  validate(feature_options);
+  const std::vector<Row> point_rows = make_rows(points, execution);
+  const std::vector<Row> normal_rows = make_rows(normals, execution);
+  const Oriented cloud{point_rows.data(), normal_rows.data()};
+  const MoveOptions how{feature_options, options, nullptr};
+  FeatureField field = isolated(points.size());
+  parallel_blocks(points.size(), execution, [&](std::size_t begin, std::size_t end) {
+    std::array<std::uint32_t, lane_count> batch{};
+    std::array<Vec3, lane_count> from{};
+    NearBatch near;
+    MovedBatch moved;
+    for (std::size_t first = begin; first < end; first += lane_count) {
+      const std::size_t count = std::min(lane_count, end - first);
+      for (std::size_t l = 0; l < count; ++l) {
+        batch[l] = static_cast<std::uint32_t>(first + l);
+        from[l] = original[first + l];
+      }
+      near.read(neighborhoods, {batch.data(), count});
+      move_batch({batch.data(), count}, cloud, near, from, how, nullptr, moved);
+      for (std::size_t l = 0; l < count; ++l) {
+        points[first + l] = moved.places[l];
+        field.label[first + l] = moved.classes[l].label;
+        field.direction[first + l] = moved.classes[l].direction;
+      }
+    }
+  });
+  return field;
+}
 
 FeatureField sweep_in_place(Points original, std::vector<Vec3>& points, Normals normals,
                             const Neighborhoods& neighborhoods,
@@ -187,24 +157,34 @@ FeatureField sweep_in_place(Points original, std::vector<Vec3>& points, Normals 
   for (const std::uint32_t i : order) {
     require(i < points.size(), "order", "made of indices of points", i);
   }
-  return sweep_batches(
-      order.size(), [&](std::size_t at) { return order.subspan(at, 1); },
-      [&](std::size_t at, std::size_t) { return neighborhoods[order[at]]; }, original, points,
-      normals, neighborhoods, feature_options, options, nullptr, execution);
+  FeatureField field = isolated(points.size());
+  sweep_batches(
+      order.size(), [&](std::size_t at) { return order.subspan(at, 1); }, neighborhoods, original,
+      points, normals, feature_options, options, nullptr,
+      [&](std::size_t i, const PointClass& point_class) {
+        field.label[i] = point_class.label;
+        field.direction[i] = point_class.direction;
+      },
+      execution);
+  return field;
 }
 
-FeatureField sweep_along(const SweepPlan& plan, Points original, std::vector<Vec3>& points,
-                         Normals normals, const FeatureOptions& feature_options,
-                         const PositionUpdateOptions& options, NextNormals* next,
-                         const Execution& execution) {
-  const auto begin = [&](std::size_t k) { return k > 0 ? plan.ends[k - 1] : 0; };
-  return sweep_batches(
+std::vector<Feature> sweep_along(const SweepPlan& plan, Points original, std::vector<Vec3>& points,
+                                 Normals normals, const NearLists& lists,
+                                 const FeatureOptions& feature_options,
+                                 const PositionUpdateOptions& options, NextNormals* next,
+                                 const Execution& execution) {
+  std::vector<Feature> labels(points.size(), Feature::Isolated);
+  sweep_batches(
       plan.ends.size(),
       [&](std::size_t k) {
-        return std::span(plan.order).subspan(begin(k), plan.ends[k] - begin(k));
+        const std::size_t begin = k > 0 ? plan.ends[k - 1] : 0;
+        return std::span(plan.order).subspan(begin, plan.ends[k] - begin);
       },
-      [&](std::size_t k, std::size_t l) { return plan.neighborhoods[begin(k) + l]; }, original,
-      points, normals, plan.neighborhoods, feature_options, options, next, execution);
+      lists, original, points, normals, feature_options, options, next,
+      [&](std::size_t i, const PointClass& point_class) { labels[i] = point_class.label; },
+      execution);
+  return labels;
 }
 
 }  // namespace deburr

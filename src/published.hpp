@@ -19,7 +19,7 @@ struct State {
 /// @param nearest  of each point, for the first normals
 /// @param keep_normals  whether to start from those of the set
 /// @param[in,out] report  gets what each round moved
-void run_published(const Neighborhoods& nearest, const Schedule& schedule, const WorkingSet& set,
+void run_published(Neighborhoods nearest, const Schedule& schedule, const WorkingSet& set,
                    bool keep_normals, State& state, Report& report, StageClock& clock,
                    const Execution& execution);
 

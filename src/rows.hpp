@@ -26,8 +26,8 @@ struct alignas(4 * sizeof(double)) Row {
 
 inline std::vector<Row> make_rows(std::span<const Vec3> values, const Execution& execution) {
   std::vector<Row> rows(values.size());
-  const Execution quiet{.threads = execution.threads, .cancelled = execution.cancelled};
-  parallel_for(values.size(), quiet, [&](std::size_t i) { rows[i] = Row(values[i]); });
+  parallel_for(values.size(), without_progress(execution),
+               [&](std::size_t i) { rows[i] = Row(values[i]); });
   return rows;
 }
 

@@ -121,7 +121,7 @@ std::vector<Site> scanner_sites(const TriangleMesh& mesh, std::size_t count, Ran
     shift.azimuth = random.uniform();
     shift.elevation = random.uniform();
   }
-  const Execution quiet{.threads = execution.threads, .cancelled = execution.cancelled};
+  const Execution quiet = without_progress(execution);
   // A few more than needed, so that one scan is mostly enough.
   const double wanted = static_cast<double>(count) + 2 * std::sqrt(static_cast<double>(count));
   double t = 1.0 / 256;

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "deburr/normal_filter.hpp"
 #include "deburr/position_update.hpp"
+#include "near_lists.hpp"
 #include "sweep_plan.hpp"
 
 namespace deburr {
@@ -18,19 +20,30 @@ struct NextNormals {
   std::vector<Vec3> normals;
 };
 
-/// sweep_at_once.
-/// @param[out] next  null if it is not wanted
-FeatureField sweep_together(Points original, std::vector<Vec3>& points, Normals normals,
-                            const Neighborhoods& neighborhoods,
-                            const FeatureOptions& feature_options,
-                            const PositionUpdateOptions& options, NextNormals* next,
-                            const Execution& execution);
+/// @throws std::invalid_argument  naming the option that is out of its range
+void validate(const PositionUpdateOptions& options);
 
-/// sweep_in_place over all points, along a plan that was made for its order.
+/// sweep_at_once, block by block of the lists, so that no copy of all rows is needed. The direction
+/// of edges is not kept.
+/// @param[out] moved  where the points go; not `points`
 /// @param[out] next  null if it is not wanted
-FeatureField sweep_along(const SweepPlan& plan, Points original, std::vector<Vec3>& points,
-                         Normals normals, const FeatureOptions& feature_options,
-                         const PositionUpdateOptions& options, NextNormals* next,
-                         const Execution& execution);
+std::vector<Feature> sweep_together(Points original, Points points, Normals normals,
+                                    const NearLists& lists, const FeatureOptions& feature_options,
+                                    const PositionUpdateOptions& options, std::span<Vec3> moved,
+                                    NextNormals* next, const Execution& execution);
+
+/// sweep_in_place over all points, along a plan that was made for its order. Neither is here.
+/// @param lists  those that the plan was made for
+/// @param[out] next  null if it is not wanted
+std::vector<Feature> sweep_along(const SweepPlan& plan, Points original, std::vector<Vec3>& points,
+                                 Normals normals, const NearLists& lists,
+                                 const FeatureOptions& feature_options,
+                                 const PositionUpdateOptions& options, NextNormals* next,
+                                 const Execution& execution);
+
+/// filter_normals.
+std::vector<Vec3> filter_normals(Normals normals, const NearLists& lists,
+                                 const NormalFilterOptions& options, Voteless voteless,
+                                 const Execution& execution);
 
 }  // namespace deburr

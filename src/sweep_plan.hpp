@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "deburr/execution.hpp"
-#include "deburr/neighborhoods.hpp"
+#include "near_lists.hpp"
 
 namespace deburr {
 
@@ -18,14 +18,15 @@ namespace deburr {
 struct SweepPlan {
   std::vector<std::uint32_t> order;  ///< the points, batch after batch
   std::vector<std::uint32_t> ends;   ///< where in `order` each batch ends
-  Neighborhoods neighborhoods;       ///< in this order, to be read from begin to end
 };
 
 /// Plans a sweep over all points.
-/// @param neighborhoods  mutual: if i is a neighbour of j, then j is one of i
+/// @param lists  mutual: if i is a neighbour of j, then j is one of i. Points of one of its blocks
+/// are
+///               looked at together, as long as one of them can go.
 /// @param order  a permutation of the points
 /// @throws Cancelled  when execution.cancelled says so
-SweepPlan plan_sweep(const Neighborhoods& neighborhoods, std::span<const std::uint32_t> order,
+SweepPlan plan_sweep(const NearLists& lists, std::span<const std::uint32_t> order,
                      const Execution& execution = {});
 
 }  // namespace deburr

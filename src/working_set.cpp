@@ -10,6 +10,7 @@
 
 #include "box.hpp"
 #include "near_duplicates.hpp"
+#include "parallel.hpp"
 #include "spatial_order.hpp"
 #include "unit.hpp"
 
@@ -50,7 +51,9 @@ void merge_near_duplicates(WorkingSet& set, const Execution& execution) {
   if (standing.empty()) return;
   std::vector<std::uint32_t> place(standing.size());
   std::uint32_t kept = 0;
+  CancelWatch watch(execution);
   for (std::uint32_t i = 0; i < standing.size(); ++i) {
+    watch();
     if (standing[i] == i) {
       place[i] = kept++;
       set.points[place[i]] = set.points[i];
@@ -72,17 +75,54 @@ void merge_near_duplicates(WorkingSet& set, const Execution& execution) {
   set.duplicates = counted - kept;
 }
 
+/// Fills the set with points, normals and slots, along a curve in space.
+void place_points(const PointCloud& cloud, std::span<const std::uint32_t> finite, bool merge,
+                  WorkingSet& set, const Execution& execution) {
+  const bool has_normals = !cloud.normals.empty();
+  std::vector<std::uint32_t> order;
+  {
+    const std::vector<Vec3> candidates = gather<Vec3>(cloud.points, finite);
+    order = spatial_order(candidates, execution);
+  }
+  set.points.resize(finite.size());
+  if (has_normals) set.normals.resize(finite.size());
+  parallel_for(finite.size(), without_progress(execution), [&](std::size_t at) {
+    order[at] = finite[order[at]];
+    set.points[at] = cloud.points[order[at]];
+    if (has_normals) set.normals[at] = usable_normal(cloud.normals[order[at]]);
+  });
+  // Those at the same place follow each other.
+  CancelWatch watch(execution);
+  std::uint32_t kept = 0;
+  for (std::size_t at = 0; at < finite.size(); ++at) {
+    watch();
+    const bool duplicate = at > 0 && set.points[at] == set.points[kept - 1];
+    if (duplicate) ++set.duplicates;
+    if (!duplicate || !merge) {
+      set.points[kept] = set.points[at];
+      if (has_normals) set.normals[kept] = set.normals[at];
+      ++kept;
+    } else if (has_normals) {
+      set.normals[kept - 1] = choose_normal(set.normals[kept - 1], set.normals[at]);
+    }
+    set.slot[order[at]] = kept - 1;
+  }
+  set.points.resize(kept);
+  if (has_normals) set.normals.resize(kept);
+}
+
 /// Moves and scales points (by a power of two, which is exact); returns the exponent.
-int make_local(std::vector<Vec3>& points) {
+int make_local(std::vector<Vec3>& points, const Execution& execution) {
   const Box box = bounding_box(points);
   const Vec3 origin = middle(box);
   const Vec3 half = half_extent(box);
   const double largest = std::max({half.x, half.y, half.z});
   const int exponent = largest > 0 ? std::ilogb(largest) : 0;
-  for (Vec3& p : points) {
-    const Vec3 d = p - origin;
-    p = {std::scalbn(d.x, -exponent), std::scalbn(d.y, -exponent), std::scalbn(d.z, -exponent)};
-  }
+  parallel_for(points.size(), without_progress(execution), [&](std::size_t i) {
+    const Vec3 d = points[i] - origin;
+    points[i] = {std::scalbn(d.x, -exponent), std::scalbn(d.y, -exponent),
+                 std::scalbn(d.z, -exponent)};
+  });
   return exponent;
 }
 
@@ -111,27 +151,16 @@ WorkingSet make_working_set(const PointCloud& cloud, const WorkingSetOptions& op
   WorkingSet set;
   const std::vector<std::uint32_t> finite = finite_points(cloud.points);
   set.non_finite = cloud.size() - finite.size();
-  const std::vector<Vec3> candidates = gather<Vec3>(cloud.points, finite);
   set.slot.assign(cloud.size(), WorkingSet::none);
-  for (const std::uint32_t c : spatial_order(candidates, execution)) {
-    const bool duplicate = !set.points.empty() && candidates[c] == set.points.back();
-    if (duplicate) ++set.duplicates;
-    const Vec3 normal = cloud.normals.empty() ? Vec3{} : usable_normal(cloud.normals[finite[c]]);
-    if (!duplicate || !options.merge_duplicates) {
-      set.points.push_back(candidates[c]);
-      set.normals.push_back(normal);
-    } else {
-      set.normals.back() = choose_normal(set.normals.back(), normal);
-    }
-    set.slot[finite[c]] = static_cast<std::uint32_t>(set.points.size() - 1);
-  }
-  if (cloud.normals.empty()) set.normals = {};
+  place_points(cloud, finite, options.merge_duplicates, set, execution);
   if (options.local_coordinates && !set.points.empty()) {
-    set.exponent = make_local(set.points);
+    set.exponent = make_local(set.points, execution);
     // In local coordinates, where no square overflows.
     if (options.merge_duplicates) merge_near_duplicates(set, execution);
   }
+  set.sweep.reserve(finite.size());
   for (const std::uint32_t i : finite) set.sweep.push_back(set.slot[i]);
+  check_cancelled(execution);
   return set;
 }
 

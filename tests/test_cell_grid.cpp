@@ -41,8 +41,9 @@ void expect_exact(const std::vector<Vec3>& points, double radius, std::size_t ma
       }
     }
     if (max_count > 0) counts[slot] = std::min(counts[slot], max_count);
-    std::uint32_t* const to = indices.data();
-    grid->find(slot, slot + 1, {&counts[slot], 1}, {&to, 1});
+    const CellGrid::Query query{static_cast<std::uint32_t>(slot),
+                                static_cast<std::uint32_t>(counts[slot]), indices.data()};
+    grid->find({&query, 1});
     for (std::size_t k = 0; k < counts[slot]; ++k) ASSERT_EQ(indices[k], expected[k].index) << k;
   }
 }

@@ -178,7 +178,7 @@ TEST(Landing, NeedsNoSheetOfEveryNode) {
       }
     }
     EXPECT_GT(told, 0.8 * near_edge);
-    EXPECT_GT(near_edge, 20);
+    EXPECT_GT(near_edge, 10);
     for (std::size_t k = bench.size(); k < shares.by_edge.size(); ++k) {
       EXPECT_EQ(shares.by_edge[k], 1);
     }

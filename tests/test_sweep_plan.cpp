@@ -20,6 +20,8 @@ std::vector<std::uint32_t> by_index(std::uint32_t n) {
   return order;
 }
 
+NearLists lists_of(const Neighborhoods& near) { return {near, NearLists::usual_block, {}}; }
+
 /// Whether each point comes once, in batches of one to eight, and neighbours in the order given.
 void expect_valid(const SweepPlan& plan, const Neighborhoods& near,
                   const std::vector<std::uint32_t>& order) {
@@ -36,10 +38,6 @@ void expect_valid(const SweepPlan& plan, const Neighborhoods& near,
     for (; begin < plan.ends[k]; ++begin) batch_of[plan.order[begin]] = k;
   }
   ASSERT_EQ(begin, order.size());
-  ASSERT_EQ(plan.neighborhoods.size(), order.size());
-  for (std::size_t at = 0; at < order.size(); ++at) {
-    ASSERT_TRUE(std::ranges::equal(plan.neighborhoods[at], near[plan.order[at]]));
-  }
   for (std::size_t i = 0; i < order.size(); ++i) {
     for (const std::uint32_t j : near[i]) {
       ASSERT_EQ(batch_of[i] < batch_of[j], rank[i] < rank[j]);
@@ -53,31 +51,32 @@ TEST(PlanSweep, KeepsTheOrderOfNeighbors) {
   const auto points = random_points(9500, 1);
   const Neighborhoods near = find_neighbors(points, {.radius = 0.06});
   for (const auto& order : {by_index(9500), random_permutation(9500, 2)}) {
-    expect_valid(plan_sweep(near, order), near, order);
+    expect_valid(plan_sweep(lists_of(near), order), near, order);
   }
 }
 
 TEST(PlanSweep, FillsBatchesWhereTheOrderAllows) {
   const auto points = random_points(4000, 3);
   const Neighborhoods near = find_neighbors(points, {.radius = 0.08});
-  const SweepPlan plan = plan_sweep(near, random_permutation(4000, 4));
+  const SweepPlan plan = plan_sweep(lists_of(near), random_permutation(4000, 4));
   EXPECT_LT(plan.ends.size(), 4000 / 4);
-  EXPECT_EQ(plan_sweep(find_neighbors(points, {.radius = 1e-9}), by_index(4000)).ends.size(), 500U);
+  const Neighborhoods none = find_neighbors(points, {.radius = 1e-9});
+  EXPECT_EQ(plan_sweep(lists_of(none), by_index(4000)).ends.size(), 500U);
 }
 
 TEST(PlanSweep, EndsOnDuplicatesAndOnNothing) {
   const std::vector<Vec3> points(40, Vec3{1, 2, 3});
   const Neighborhoods near = find_neighbors(points, {.radius = 1});
   const std::vector<std::uint32_t> order = random_permutation(40, 5);
-  const SweepPlan plan = plan_sweep(near, order);
+  const SweepPlan plan = plan_sweep(lists_of(near), order);
   EXPECT_EQ(plan.order, order);  // all are neighbours: one after the other
-  EXPECT_TRUE(plan_sweep(Neighborhoods(), {}).order.empty());
+  EXPECT_TRUE(plan_sweep(NearLists(), {}).order.empty());
 }
 
 TEST(PlanSweep, StopsWhenCancelled) {
   const Neighborhoods near = find_neighbors(random_points(100, 12), {.radius = 0.2});
   const Execution execution{.cancelled = [] { return true; }};
-  EXPECT_THROW((void)plan_sweep(near, by_index(100), execution), Cancelled);
+  EXPECT_THROW((void)plan_sweep(lists_of(near), by_index(100), execution), Cancelled);
 }
 
 TEST(SweepAlong, HasTheBitsOfTheSweepInPlace) {
@@ -96,11 +95,12 @@ TEST(SweepAlong, HasTheBitsOfTheSweepInPlace) {
     std::vector<Vec3> points = original;
     const FeatureField slow =
         sweep_in_place(original, expected, normals, near, features, options, order);
-    const FeatureField field = sweep_along(plan_sweep(near, order), original, points, normals,
-                                           features, options, nullptr, {});
+    NearLists lists = lists_of(near);
+    const SweepPlan plan = plan_sweep(lists, order);
+    lists.arrange(plan.order, {});
+    EXPECT_EQ(sweep_along(plan, original, points, normals, lists, features, options, nullptr, {}),
+              slow.label);
     EXPECT_EQ(points, expected);
-    EXPECT_EQ(field.label, slow.label);
-    EXPECT_EQ(field.direction, slow.direction);
     EXPECT_NE(points, original);
   }
 }
@@ -119,17 +119,19 @@ TEST(NextNormals, HaveTheBitsOfTheFilter) {
   EXPECT_NE(expected, normals);
 
   std::vector<Vec3> points = original;
-  const FeatureField field =
-      sweep_together(original, points, normals, near, features, options, &at_once, {.threads = 2});
+  const NearLists lists = lists_of(near);
+  const std::vector<Feature> labels = sweep_together(original, original, normals, lists, features,
+                                                     options, points, &at_once, {.threads = 2});
   EXPECT_EQ(at_once.normals, expected);
   std::vector<Vec3> without = original;
-  EXPECT_EQ(sweep_at_once(original, without, normals, near, features, options).label, field.label);
+  EXPECT_EQ(sweep_at_once(original, without, normals, near, features, options).label, labels);
   EXPECT_EQ(points, without);
 
   points = original;
   without = original;
   const std::vector<std::uint32_t> order = random_permutation(1501, 11);
-  sweep_along(plan_sweep(near, order), original, points, normals, features, options, &in_place, {});
+  sweep_along(plan_sweep(lists, order), original, points, normals, lists, features, options,
+              &in_place, {});
   EXPECT_EQ(in_place.normals, expected);
   sweep_in_place(original, without, normals, near, features, options, order);
   EXPECT_EQ(points, without);

@@ -52,8 +52,11 @@ def build():
                "-ltbb", "-lfmt"]
     programs = {"deburr": RELEASE / "deburr",
                 "stages": compile_one("stages", folder, 20, library)}
-    if not programs["stages"]:
-        sys.exit(f"speed: the stages do not compile; see {folder}/stages.log")
+    programs["machine"] = compile_one("machine", folder, 20,
+                                      ["-ffp-contract=off", "-Wno-psabi"])
+    for name in ("stages", "machine"):
+        if not programs[name]:
+            sys.exit(f"speed: {name} does not compile; see {folder}/{name}.log")
     wanted = {
         "nanoflann": (pathlib.Path("/usr/include/nanoflann.hpp").exists(), 17, []),
         "cgal": (pathlib.Path("/usr/include/CGAL/jet_smooth_point_set.h").exists(), 17,

@@ -26,6 +26,9 @@ class Run:
         self.cpu = self.printed.get("cpu", usage.ru_utime + usage.ru_stime)
         self.wall = self.printed.get("wall", sum(s["seconds"] for s in
                                                  self.printed.get("stages", [])))
+        # The same without reading and writing, where a program tells.
+        self.core = sum(stage["seconds"] for stage in self.printed.get("stages", [])
+                        if stage["stage"] not in ("read", "write"))
         self.memory = usage.ru_maxrss * 1024
 
 

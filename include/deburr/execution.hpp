@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string_view>
 
@@ -19,11 +20,15 @@ struct Execution {
   int threads = 0;
   /// Called on the caller's thread between steps of the work; may throw to stop it.
   std::function<void(const Progress&)> progress{};
-  /// Asked often and from several threads at once; true stops the work, which throws Cancelled.
+  /// Asked often, several times in a tenth of a second for a million points, and from several
+  /// threads at once; true stops the work, which throws Cancelled.
   std::function<bool()> cancelled{};
   /// Monotonic seconds, for the times in a report. Without it they stay 0: the library itself
   /// never reads a clock.
   std::function<double()> clock{};
+  /// Points that a thread takes at a time, between two looks at `cancelled`; 0 for what suits most
+  /// machines. Where a point is more work than usual, fewer are taken in proportion.
+  std::size_t block = 0;
 };
 
 }  // namespace deburr
