@@ -56,14 +56,13 @@ std::optional<CellGrid> CellGrid::make(Points points, double radius, std::size_t
   return grid;
 }
 
-std::uint32_t CellGrid::along(double v, const Axis& axis) const {
-  return std::min(static_cast<std::uint32_t>((v - axis.low) * per_cell_), axis.cells - 1);
-}
-
 void CellGrid::sort_points(Points points, const Execution& execution) {
   const std::size_t rows = std::size_t{axes_[1].cells} * axes_[2].cells;
   begins_.assign(rows * axes_[0].cells + 1, 0);
   std::vector<std::uint32_t> cells(points.size());
+  const auto along = [&](double v, const Axis& axis) {
+    return std::min(static_cast<std::uint32_t>((v - axis.low) * per_cell_), axis.cells - 1);
+  };
   parallel_for(points.size(), execution, [&](std::size_t i) {
     const Vec3& p = points[i];
     cells[i] = (along(p.z, axes_[2]) * axes_[1].cells + along(p.y, axes_[1])) * axes_[0].cells +
