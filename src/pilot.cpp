@@ -43,8 +43,8 @@ bool is_merged(const AutomaticInput& input) {
 
 std::vector<Vec3> first_normals(Points points, Normals given, double ratio,
                                 const Execution& execution) {
-  const auto count =
-      static_cast<std::size_t>(std::max(fewest_neighbors, neighbors_per_noise * ratio * ratio));
+  const auto count = static_cast<std::size_t>(
+      std::clamp(neighbors_per_noise * ratio * ratio, fewest_neighbors, double{most_neighbors}));
   const Neighborhoods around =
       find_neighbors(points, {.max_count = count}, sub_execution(execution, "pilot", 0, 0.5));
   std::vector<Vec3> normals =
