@@ -46,6 +46,7 @@ void add_commands(CLI::App& program) {
   add_info_command(program);
   add_synth_command(program);
   add_compare_command(program);
+  add_view_command(program);
 }
 
 int run(int argc, const char* const* argv) {
