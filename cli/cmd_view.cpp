@@ -62,12 +62,12 @@ view::SceneOptions check(const ViewArgs& args) {
   check_in_format(args.in_format);
   check_json(args.output, args.common.json);
   view::SceneOptions options;
-  // Less than the page itself has no room for a point.
-  const double least = static_cast<double>(view::viewer_template().size()) / megabyte + 0.2;
+  // The page itself takes more than half of the least.
+  constexpr double least = 2;
   constexpr double most = 1000;
   if (!(args.max_megabytes >= least && args.max_megabytes <= most)) {
-    throw std::invalid_argument(fmt::format("--max-size must be in [{:.1f}, {}], got {}",
-                                            least + 0.05, most, args.max_megabytes));
+    throw std::invalid_argument(
+        fmt::format("--max-size must be in [{}, {}], got {}", least, most, args.max_megabytes));
   }
   options.max_bytes = static_cast<std::size_t>(args.max_megabytes * megabyte);
   return options;
@@ -119,13 +119,13 @@ void run(const ViewArgs& args) {
   }
   view::Request request{.before = clouds[0].shown()};
   if (clouds.size() > 1) request.after = clouds[1].shown();
-  const view::Scene scene = page_scene(request, options, execution);
+  const PreparedPage page = prepare_page(request, options, execution);
   bar.clear();
-  const std::size_t bytes = write_page(args.output, scene);
+  const std::size_t bytes = write_page(args.output, page);
   if (args.common.json) {
-    print(to_line(to_json(args, scene, clouds, bytes)));
+    print(to_line(to_json(args, page.scene, clouds, bytes)));
   } else if (!args.common.quiet) {
-    tell(to_text(args, scene, clouds, bytes));
+    tell(to_text(args, page.scene, clouds, bytes));
   }
 }
 

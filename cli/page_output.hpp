@@ -18,13 +18,20 @@ namespace deburr::cli {
 /// @throws std::runtime_error  in a build without the viewer
 void check_page_output(const std::string& path);
 
-/// The points of a page, as many as there is room for.
-[[nodiscard]] view::Scene page_scene(const view::Request& request,
-                                     const view::SceneOptions& options, const Execution& execution);
+/// A page that waits for its report.
+struct PreparedPage {
+  view::Scene scene;
+  std::vector<view::Still> stills;  ///< for browsers that cannot draw points
+};
+
+/// As many points as there is room for, and pictures of the clouds.
+[[nodiscard]] PreparedPage prepare_page(const view::Request& request,
+                                        const view::SceneOptions& options,
+                                        const Execution& execution);
 
 /// Writes a page and returns its size in bytes.
 /// @param report  a JSON object as `deburr denoise --json` prints it; may be empty
-std::size_t write_page(const std::string& path, const view::Scene& scene,
+std::size_t write_page(const std::string& path, const PreparedPage& page,
                        const std::string& report = {});
 
 }  // namespace deburr::cli

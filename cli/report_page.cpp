@@ -30,12 +30,12 @@ void ReportPage::take(DenoiseResult& result, const Execution& execution) {
                                                         .labels = result.labels,
                                                         .outliers = result.outliers},
                               .origin = numbers};
-  scene_ = page_scene(request, {}, execution);
+  page_ = prepare_page(request, {}, execution);
   before_ = {};
 }
 
 void ReportPage::write(const std::string& path, const std::string& report) const {
-  write_page(path, scene_, report);
+  write_page(path, page_, report);
 }
 
 }  // namespace deburr::cli

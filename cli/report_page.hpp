@@ -27,7 +27,7 @@ class ReportPage {
   std::string output_;
   PointCloud before_;
   std::string numbers_;  ///< name of the attribute
-  view::Scene scene_;
+  PreparedPage page_;
 };
 
 }  // namespace deburr::cli
