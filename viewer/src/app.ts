@@ -50,9 +50,9 @@ export class App {
     const modes = availableModes(clouds);
     const dark = window.matchMedia('(prefers-color-scheme: dark)').matches;
     this.store = new Store({
-      layout: 'side', mode: 'normals', ranges: {}, pointSize: 1.5, orthographic: false,
+      layout: 'side', mode: 'normals', ranges: {}, pointSize: 2, orthographic: false,
       hideOutliers: false, wipe: 0.5, picked: undefined, dark,
-      slab: { on: false, axis: 'y', position: 0.5, thickness: 2, keepBehind: false },
+      slab: { on: false, axis: 'y', position: 0.5, thickness: 2, keepBehind: true },
     });
     this.stage = new Stage(this.host, clouds, this.store);
     const help = helpDialog();

@@ -6,7 +6,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Extent } from '../data/extent';
 
 const fieldOfView = 35; // degrees
-const margin = 1.15;
+const margin = 1.05;
 const halfAngle = Math.tan(((fieldOfView / 2) * Math.PI) / 180);
 
 export const views = {
@@ -24,6 +24,7 @@ export class Rig {
   readonly perspective = new PerspectiveCamera(fieldOfView, 1, 0.01, 100);
   readonly orthographic = new OrthographicCamera(-1, 1, 1, -1, 0, 100);
   private readonly controls: OrbitControls;
+  private aspect = 1; // of the pane that was drawn last
 
   constructor(element: HTMLElement, private readonly extent: Extent, moved: () => void) {
     // Height is up, as in files of scans; this has to be known before the controls.
@@ -63,13 +64,32 @@ export class Rig {
   }
 
   private place(direction: Vector3): void {
-    const half = this.extent.radius * margin;
-    const distance = half / halfAngle;
     // Straight from above nothing tells where the top of the picture is.
     if (Math.abs(direction.z) > 0.999) direction.add(new Vector3(0, -1e-3, 0)).normalize();
+    const { half, distance } = this.needed(direction);
     this.orthographic.zoom = 1 / half;
     this.camera.position.copy(this.target).addScaledVector(direction, distance);
     this.controls.update();
+  }
+
+  /** Half the height without perspective, and the distance with it, that show the whole box. */
+  private needed(direction: Vector3): { half: number; distance: number } {
+    const right = new Vector3().crossVectors(this.perspective.up, direction).normalize();
+    const up = new Vector3().crossVectors(direction, right);
+    const { low, high, centre, radius } = this.extent;
+    let half = 1e-6 * radius;
+    let distance = half;
+    for (let corner = 0; corner < 8; ++corner) {
+      const at = new Vector3().fromArray([0, 1, 2].map((k) =>
+        ((corner >> k) & 1 ? high[k]! : low[k]!) - centre[k]!));
+      // A tall pane shows the whole width, a wide one the whole height; see aim().
+      const wide = Math.abs(at.dot(right)) / Math.max(this.aspect, 1);
+      const tall = Math.abs(at.dot(up)) / Math.max(1, 1 / this.aspect);
+      const reach = margin * Math.max(wide, tall);
+      half = Math.max(half, reach);
+      distance = Math.max(distance, at.dot(direction) + reach / halfAngle);
+    }
+    return { half, distance };
   }
 
   setOrthographic(on: boolean): void {
@@ -124,8 +144,10 @@ export class Rig {
 
   /** Makes the camera ready for a pane of this shape. */
   aim(aspect: number): void {
+    this.aspect = aspect;
     const distance = this.camera.position.distanceTo(this.target);
-    const depth = this.extent.radius * 6 + this.camera.position.distanceTo(new Vector3().fromArray(this.extent.centre));
+    const centre = new Vector3().fromArray(this.extent.centre);
+    const depth = this.extent.radius * 6 + this.camera.position.distanceTo(centre);
     if (this.camera === this.orthographic) {
       // A tall pane shows the whole width, a wide one the whole height.
       const x = Math.max(aspect, 1);

@@ -35,6 +35,7 @@ export class Stage {
   private readonly budget: FrameBudget;
   private panes: Pane[] = [];
   private queued = false;
+  private first = true;
   private lastMoved = -Infinity;
   private settle = 0;
   private background = new Color(0xffffff);
@@ -122,6 +123,12 @@ export class Stage {
     // Fewer points have to be larger to close the surface.
     this.look.diameter.value = (state.pointSize * this.spacing) / Math.sqrt(share);
     this.panes = panesOf(state.layout, this.clouds.length, width, height, state.wipe);
+    if (this.first) {
+      const { view } = this.panes[0]!;
+      this.first = false;
+      this.rig.aim(view.width / view.height);
+      this.rig.look('iso');
+    }
     this.renderer.setScissorTest(false);
     this.renderer.setClearColor(this.background);
     this.renderer.clear();
