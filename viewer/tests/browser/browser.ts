@@ -23,10 +23,11 @@ export function deburr(cwd: string, ...args: string[]): string {
   return execFileSync(program, args, { cwd, encoding: 'utf8', maxBuffer: 1e9 });
 }
 
-/** Rows of a text file with a header, by the names of its columns. */
+/** Rows of a text file, by the names of its columns: those of its header, or x y z. */
 export function readTable(path: string): Record<string, number>[] {
-  const [head, ...lines] = readFileSync(path, 'utf8').trim().split('\n');
-  const names = head!.split(',');
+  const lines = readFileSync(path, 'utf8').trim().split('\n');
+  const named = Number.isNaN(Number(lines[0]!.split(',')[0]));
+  const names = named ? lines.shift()!.split(',') : ['x', 'y', 'z'];
   return lines.map((line) => {
     const values = line.split(',').map(Number);
     return Object.fromEntries(names.map((name, k) => [name, values[k]!]));

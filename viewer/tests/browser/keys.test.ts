@@ -47,7 +47,7 @@ describe('keys', () => {
     expect(await page.getByRole('slider', { name: /Wipe/ }).getAttribute('aria-valuenow')).toBe('55');
     await press('s');
     await press('2');
-    expect(await page.getByLabel('Colour', { exact: true }).inputValue()).toBe('displacement');
+    expect(await page.getByRole('combobox', { name: 'Colour' }).inputValue()).toBe('displacement');
     await press('1');
     await press('x');
     expect(await page.locator('.section').isVisible()).toBe(true);
@@ -67,8 +67,8 @@ describe('keys', () => {
 
   it('reach every control, and every control has a name', async () => {
     const { page } = await open(browser, join(dir, 'view.html'));
-    await page.getByLabel('Cross-section').first().check();
-    await page.getByLabel('Colour', { exact: true }).selectOption('displacement');
+    await page.getByRole('checkbox', { name: 'Cross-section' }).check();
+    await page.getByRole('combobox', { name: 'Colour' }).selectOption('displacement');
     const nameless = await page.$$eval('button, input, select, canvas, [role]', (elements) =>
       elements.filter((e) => {
         const field = e as HTMLInputElement;
@@ -93,8 +93,8 @@ describe('the page', () => {
     const { page, problems } = await open(browser, join(dir, 'view.html'), true);
     const dark = await stagePixels(page);
     expect(countPixels(dark, (r, g, b) => r + g + b < 120)).toBeGreaterThan(dark.width * dark.height * 0.4);
-    await page.getByLabel('Colour', { exact: true }).selectOption('truth');
-    await page.getByLabel('Cross-section').first().check();
+    await page.getByRole('combobox', { name: 'Colour' }).selectOption('truth');
+    await page.getByRole('checkbox', { name: 'Cross-section' }).check();
     await settled(page);
     await screenshot(page, 'dark');
     await page.getByRole('button', { name: 'Light' }).click();

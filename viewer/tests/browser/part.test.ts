@@ -28,7 +28,7 @@ function makeFiles(): void {
 }
 
 async function mode(value: string): Promise<void> {
-  await page.getByLabel('Colour', { exact: true }).selectOption(value);
+  await page.getByRole('combobox', { name: 'Colour' }).selectOption(value);
   await settled(page);
 }
 
@@ -141,7 +141,7 @@ describe('the report of a part', () => {
   });
 
   it('picks a point and tells what the files hold of it', async () => {
-    await page.getByLabel('View', { exact: true }).selectOption('iso');
+    await page.getByRole('combobox', { name: 'View' }).selectOption('iso');
     await settled(page);
     const stage = (await page.locator('.stage').boundingBox())!;
     for (const [x, y] of [[0.75, 0.5], [0.7, 0.48], [0.22, 0.52]] as const) {
@@ -168,7 +168,7 @@ describe('the report of a part', () => {
   });
 
   it('cuts a slab and draws its outline', async () => {
-    await page.getByLabel('Cross-section').first().check();
+    await page.getByRole('checkbox', { name: 'Cross-section' }).check();
     await settled(page);
     await screenshot(page, 'part-section');
     const told = () => page.textContent('.section .note');
@@ -192,7 +192,7 @@ describe('the report of a part', () => {
       return blue;
     });
     expect(dark).toBeGreaterThan(200);
-    await page.getByLabel('Cross-section').first().uncheck();
+    await page.getByRole('checkbox', { name: 'Cross-section' }).uncheck();
   });
 
   it('had no problem, and asked nothing of any network', () => {
