@@ -7,6 +7,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chromium, type Browser, type Page } from 'playwright-core';
+import { PNG } from 'pngjs';
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), '../../..');
 const program = process.env.DEBURR ?? join(root, 'build/dev/deburr');
@@ -112,25 +113,13 @@ export async function screenshot(page: Page, name: string): Promise<void> {
 export interface Pixels {
   width: number;
   height: number;
-  data: number[];
+  data: Uint8Array;
 }
 
-/** Pixels of the picture of the points, with what lies over it left out. */
+/** Pixels of the picture of the points, once nothing moves. */
 export async function stagePixels(page: Page): Promise<Pixels> {
   await settled(page);
-  const png = await page.locator('.stage').screenshot();
-  const helper = await page.context().newPage();
-  const pixels = await helper.evaluate(async (base64) => {
-    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
-    const paper = canvas.getContext('2d')!;
-    paper.drawImage(bitmap, 0, 0);
-    const { width, height, data } = paper.getImageData(0, 0, bitmap.width, bitmap.height);
-    return { width, height, data: Array.from(data) };
-  }, png.toString('base64'));
-  await helper.close();
-  return pixels;
+  return PNG.sync.read(await page.locator('.stage').screenshot());
 }
 
 /** How many pixels are as wanted. */

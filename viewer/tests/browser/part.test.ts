@@ -174,7 +174,7 @@ describe('the report of a part', () => {
     const told = () => page.textContent('.section .note');
     const first = (await told())!;
     const [, thick, before, after, y] =
-      /section, ([\d.]+) thick: (\d+) points before, (\d+) points after; y = ([\d.]+)/.exec(first)!;
+      /section, ([\d.]+) thick: (\d+) points before, (\d+) points after; y = (\d+(?:\.\d+)?)/.exec(first)!;
     const inside = (table: typeof noisy) => table.filter((row) =>
       Math.abs(row['y']! - Number(y)) <= Number(thick) / 2).length;
     // The page tells the place to six digits only.
