@@ -3,7 +3,9 @@
 # What the scripts of this folder share; they source it.
 
 build_packages=(cmake ninja-build g++ libeigen3-dev libtbb-dev libcli11-dev libfmt-dev
-  nlohmann-json3-dev)
+  nlohmann-json3-dev libpng-dev)
+# For the page of `view` and `--report`; a build without them says what is missing.
+viewer_packages=(nodejs npm)
 
 fail() {
   echo "$(basename "$0"): $1" >&2
@@ -36,6 +38,16 @@ install_missing() {
     fail_with_log "the installation failed"
 }
 
+# Installs Node.js where there is none of 18 or newer; another source than Debian may have brought it.
+install_node() {
+  local version
+  if version=$(node --version 2>/dev/null) && command -v npm >/dev/null; then
+    version=${version#v}
+    [ "${version%%.*}" -lt 18 ] || return 0
+  fi
+  install_missing "${viewer_packages[@]}"
+}
+
 # Runs a command with its output in $log.
 logged() {
   echo "+ $*" >>"$log"
@@ -55,11 +67,13 @@ start_log() {
   : >"$log"
 }
 
-# Configures and builds a preset.
+# Configures and builds a preset; more arguments are options for the build.
 build_preset() {
-  local started=$SECONDS
+  local started=$SECONDS preset=$1
+  shift
   printf 'building (%s; takes minutes the first time) ... ' "$log"
-  if ! { logged cmake --preset "$1" && logged cmake --build --preset "$1" -j "$(nproc)"; }; then
+  if ! { logged cmake --preset "$preset" ${configure_options[@]+"${configure_options[@]}"} &&
+    logged cmake --build --preset "$preset" -j "$(nproc)" "$@"; }; then
     echo failed
     fail_with_log "the build failed"
   fi

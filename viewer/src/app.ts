@@ -13,7 +13,7 @@ import { legend } from './ui/legend';
 import { pickedPanel } from './ui/picked';
 import { reportPanel } from './ui/report';
 import { SectionPanel } from './ui/section_panel';
-import { toolbar } from './ui/toolbar';
+import { pageButtons, toolbar } from './ui/toolbar';
 
 const clickTravel = 4; // pixels that a click may move
 const shapeLight = 0.75; // how much brightness tells the shape where it is all there is to see
@@ -52,7 +52,7 @@ export class App {
     this.store = new Store({
       layout: 'side', mode: 'normals', ranges: {}, pointSize: 2, orthographic: false,
       hideOutliers: false, wipe: 0.5, picked: undefined, dark,
-      slab: { on: false, axis: 'y', position: 0.5, thickness: 2, keepBehind: true },
+      slab: { on: false, axis: 'y', position: 0.5, thickness: 3, keepBehind: true },
     });
     this.stage = new Stage(this.host, clouds, this.store);
     const help = helpDialog();
@@ -73,7 +73,8 @@ export class App {
     const legendHost = el('div');
     const pickedHost = el('div', { 'aria-live': 'polite' });
     root.append(
-      el('header', {}, el('h1', {}, titleOf(scene)), el('p', {}, `deburr ${version}`)),
+      el('header', {}, el('h1', {}, titleOf(scene)), el('p', {}, `deburr ${version}`),
+        pageButtons(this.store, actions)),
       toolbar(this.store, modes, clouds.length, clouds.some(hasOutliers), actions),
       el('main', {},
         el('div', { class: 'view' }, this.host, section.element),
@@ -170,9 +171,11 @@ export class App {
 
   /** Browsers print a picture, but not always what WebGL has drawn. */
   private stillForPaper(): void {
+    this.stage.setBackground('#fff');
     this.stage.draw();
     this.host.querySelector('img')?.remove();
     this.host.append(el('img', { alt: '', class: 'paper', src: this.stage.canvas.toDataURL() }));
+    this.applyTheme(this.store.get().dark);
   }
 
   private drawn({ panes }: Drawn): void {

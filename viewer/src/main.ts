@@ -12,6 +12,10 @@ function block(name: string): string | undefined {
   return document.getElementById(`deburr-${name}`)?.textContent ?? undefined;
 }
 
+function hasWebGl(): boolean {
+  return document.createElement('canvas').getContext('webgl2') !== null;
+}
+
 function start(): void {
   const root = document.getElementById('app')!;
   const stills = document.getElementById('stills');
@@ -29,10 +33,10 @@ function start(): void {
     document.documentElement.dataset.ready = 'true';
   } catch (error) {
     // Without WebGL the still pictures stay, and what can be told without it.
-    const reason = error instanceof Error ? error.message : String(error);
+    const reason = hasWebGl() ? String(error) : 'this browser has no WebGL 2.';
     root.replaceChildren(
       el('header', {}, el('h1', {}, titleOf(scene)), el('p', {}, `deburr ${version}`)),
-      el('p', { class: 'warning', role: 'alert' }, `The points cannot be shown: ${reason}`));
+      el('p', { class: 'warning failure', role: 'alert' }, `The points cannot be shown: ${reason}`));
     document.body.append(reportPanel(scene, report, version));
     document.documentElement.dataset.ready = 'still';
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The deburr authors
 // SPDX-License-Identifier: Apache-2.0
 
-const target = 55; // milliseconds of a frame in motion: 18 in a second
+const target = 45; // milliseconds of a frame in motion: 22 in a second
 const least = 20_000; // points, fewer of which show no shape
 
 /** Chooses how many points are drawn while the view moves, from how long frames have taken. */

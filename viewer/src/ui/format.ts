@@ -6,8 +6,13 @@ export function short(value: number | undefined, digits = 4): string {
   if (value === undefined || !Number.isFinite(value)) return '–';
   if (value === 0) return '0';
   const size = Math.floor(Math.log10(Math.abs(value)));
-  if (size < -4 || size > 6) return value.toExponential(digits - 1);
+  if (size < -4 || size > 6) return value.toExponential(Math.max(digits - 3, 0));
   return value.toFixed(Math.max(0, digits - 1 - size));
+}
+
+/** A time in seconds, to the millisecond. */
+export function seconds(value: number): string {
+  return value < 0.0005 ? '< 0.001 s' : `${short(value, value < 1 ? 2 : 3)} s`;
 }
 
 /** A count with its thousands apart. */

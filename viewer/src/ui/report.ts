@@ -5,7 +5,7 @@ import { labels as labelColours, outlier, sequential, diverging } from '../colou
 import type { DenoiseReport, SceneInfo, Summary } from '../data/scene';
 import { barTable } from './bars';
 import { el, table } from './dom';
-import { count, short } from './format';
+import { count, seconds, short } from './format';
 import { histogramChart } from './histogram';
 
 function filesPart(scene: SceneInfo, report: DenoiseReport | undefined, version: string): Node[] {
@@ -108,10 +108,10 @@ function stagesPart(report: DenoiseReport): Node | undefined {
   const stages = report.stages ?? [];
   if (stages.length === 0) return undefined;
   const total = stages.reduce((sum, stage) => sum + stage.seconds, 0);
-  const bars = stages.map(({ stage, seconds }) => ({
-    name: stage, value: seconds, text: `${short(seconds, 3)} s`,
+  const bars = stages.map(({ stage, seconds: took }) => ({
+    name: stage, value: took, text: seconds(took),
   }));
-  return barTable(`Time per stage, ${short(total, 3)} s in all`, bars);
+  return barTable(`Time per stage, ${seconds(total)} in all`, bars);
 }
 
 export function reportPanel(

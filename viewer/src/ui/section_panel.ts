@@ -11,7 +11,7 @@ import { el } from './dom';
 import { button, checkbox, select, slider } from './fields';
 import { short } from './format';
 
-const outlineCell = 1.2; // spacings
+const outlineCell = 1.4; // spacings
 const wheelStep = 1.0015;
 
 export class SectionPanel {

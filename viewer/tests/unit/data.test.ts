@@ -107,12 +107,14 @@ describe('extent', () => {
     const side = 200;
     const local = new Float32Array(3 * side * side);
     for (let i = 0; i < side * side; ++i) {
-      const u = i % side;
-      const v = Math.floor(i / side);
+      const at = (i * 7919) % (side * side); // the order of a page is spread as well
+      const u = at % side;
+      const v = Math.floor(at / side);
       local.set([u, 0.8 * v, 0.6 * v], 3 * i);
     }
     const spacing = meanSpacing(local, robustExtent(local));
-    expect(spacing).toBeGreaterThan(0.7);
-    expect(spacing).toBeLessThan(1.4);
+    // A grid is not random: its 6th neighbours lie a little farther off.
+    expect(spacing).toBeGreaterThan(0.9);
+    expect(spacing).toBeLessThan(1.2);
   });
 });

@@ -55,10 +55,10 @@ describe('the budget of a frame', () => {
   it('is kept by drawing fewer points', () => {
     const budget = new FrameBudget(1_000_000);
     expect(budget.moving).toBe(1);
-    budget.took(1100, 1);
-    expect(budget.moving).toBeCloseTo(0.05, 3);
+    budget.took(1000, 1);
+    expect(budget.moving).toBeCloseTo(0.045, 3);
     for (let i = 0; i < 50; ++i) budget.took(budget.moving * 200, budget.moving);
-    expect(budget.moving * 200).toBeCloseTo(55, 0);
+    expect(budget.moving * 200).toBeCloseTo(45, 0);
   });
 
   it('never draws too few to see a shape, and all where it can', () => {

@@ -3,7 +3,7 @@
 import { createHash } from 'node:crypto';
 import { describe, expect, it } from 'vitest';
 import { fillTemplate, policy, tagSafe } from '../../build/inline';
-import { baseName, coordinate, count, short } from '../../src/ui/format';
+import { baseName, coordinate, count, seconds, short } from '../../src/ui/format';
 import { binMiddle } from '../../src/ui/histogram';
 
 describe('numbers for people', () => {
@@ -12,7 +12,10 @@ describe('numbers for people', () => {
     expect(short(123.456)).toBe('123.5');
     expect(short(-2)).toBe('-2.000');
     expect(short(0)).toBe('0');
-    expect(short(1.5e-9, 2)).toBe('1.5e-9');
+    expect(short(1.5e-9)).toBe('1.5e-9');
+    expect(seconds(8e-5)).toBe('< 0.001 s');
+    expect(seconds(0.0137)).toBe('0.014 s');
+    expect(seconds(12.34)).toBe('12.3 s');
     expect(short(NaN)).toBe('–');
     expect(short(undefined)).toBe('–');
     expect(count(1234567)).toBe('1,234,567');
