@@ -6,7 +6,7 @@ set_property(CACHE DEBURR_VIEWER PROPERTY STRINGS AUTO ON OFF)
 set(DEBURR_VIEWER_TEMPLATE "" CACHE FILEPATH
   "template.html of an earlier build, to embed instead of building it")
 
-set(viewer_dir ${PROJECT_SOURCE_DIR}/viewer)
+cmake_path(SET viewer_dir NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../viewer)
 
 # Says why the page cannot be built, or nothing.
 function(deburr_viewer_obstacle result)
@@ -71,7 +71,7 @@ elseif(DEBURR_VIEWER)
 endif()
 
 set(viewer_template_source ${CMAKE_CURRENT_BINARY_DIR}/viewer_template.cpp)
-set(embed ${PROJECT_SOURCE_DIR}/cmake/embed_text.cmake)
+set(embed ${CMAKE_CURRENT_LIST_DIR}/embed_text.cmake)
 if(viewer_template)
   set(DEBURR_HAS_VIEWER ON CACHE INTERNAL "whether the viewer page is embedded")
   add_custom_command(OUTPUT ${viewer_template_source}

@@ -67,13 +67,13 @@ start_log() {
   : >"$log"
 }
 
-# Configures and builds a preset; more arguments are options for the build.
+# Configures and builds a preset, or some targets of it. $configure_options are for CMake.
 build_preset() {
   local started=$SECONDS preset=$1
   shift
   printf 'building (%s; takes minutes the first time) ... ' "$log"
   if ! { logged cmake --preset "$preset" ${configure_options[@]+"${configure_options[@]}"} &&
-    logged cmake --build --preset "$preset" -j "$(nproc)" "$@"; }; then
+    logged cmake --build --preset "$preset" -j "$(nproc)" ${1:+--target "$@"}; }; then
     echo failed
     fail_with_log "the build failed"
   fi

@@ -89,6 +89,18 @@ TEST(ViewPage, TheWholeIsNoLargerThanAllowed) {
   EXPECT_EQ(room_for_points({.max_bytes = 10}, page, 0, {}), 0U);
 }
 
+TEST(ViewPage, IsMadeInOneCall) {
+  const PointCloud cloud = synthesize_part({.points = 50}).cloud;
+  const Request request{.before = {.name = "a.ply", .cloud = &cloud}};
+  if (viewer_template().empty()) {
+    EXPECT_THROW((void)make_page(request), std::runtime_error);
+    return;
+  }
+  const std::string html = make_page(request, R"({"noise":0.5})");
+  EXPECT_EQ(nlohmann::json::parse(block(html, "scene"))["clouds"][0]["shown"], 50);
+  EXPECT_EQ(block(html, "report"), R"({"noise":0.5})");
+}
+
 TEST(ViewPage, RefusesATemplateWithoutItsMarks) {
   EXPECT_THROW((void)page_html("", {}, {}), std::invalid_argument);
   EXPECT_THROW((void)page_html("<!--deburr:data--><!--deburr:stills-->", {}, {}),

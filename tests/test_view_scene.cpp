@@ -143,6 +143,27 @@ TEST(ViewScene, PairsPointsAndMeasuresTheirMovement) {
   EXPECT_EQ(counted, 300U);
 }
 
+TEST(ViewScene, APointThatDidNotMoveHasNotMoved) {
+  const PointCloud before = survey(300);
+  PointCloud after = before;
+  after.points[7] += Vec3{3, 2, 1};
+  const Decoded page(make_scene({.before = {.name = "a", .cloud = &before},
+                                 .after = ShownCloud{.name = "b", .cloud = &after}},
+                                plenty));
+  std::size_t moved = 0;
+  for (std::size_t k = 0; k < 300; ++k) {
+    if (page.point(0, k) != page.point(1, k)) ++moved;
+  }
+  EXPECT_EQ(moved, 1U);
+}
+
+TEST(ViewScene, WholeNumbersStayWhole) {
+  PointCloud cloud = survey(100);
+  const Decoded page(make_scene({.before = {.name = "a", .cloud = &cloud}}, plenty));
+  const std::size_t i = index_of(cloud, page.point(0, 11), 2 * page.step(0));
+  EXPECT_EQ(page.value(0, "intensity", 11), static_cast<double>(i) - 10);
+}
+
 TEST(ViewScene, WithoutNormalsTheMovementHasNoSign) {
   const PointCloud before = survey(100);
   PointCloud after = before;

@@ -99,10 +99,11 @@ std::size_t CloudPacker::bytes_per_point() const {
          (shown_.truth_distance.empty() ? 0 : PointBytes::number);
 }
 
-Json CloudPacker::pack(std::span<const std::uint32_t> chosen, PackedArrays& arrays) const {
+Json CloudPacker::pack(std::span<const std::uint32_t> chosen, const Box& box,
+                       PackedArrays& arrays) const {
   const PointCloud& cloud = *shown_.cloud;
   Json packed = Json::object();
-  packed["position"] = arrays.add_positions(gather<Vec3>(cloud.points, chosen));
+  packed["position"] = arrays.add_positions(gather<Vec3>(cloud.points, chosen), box);
   const std::vector<Vec3>& normals = cloud.normals.empty() ? estimated_ : cloud.normals;
   packed["normal"] = arrays.add_directions(gather<Vec3>(normals, chosen));
   if (colours_) {

@@ -32,7 +32,8 @@ class CloudPacker {
   [[nodiscard]] std::size_t bytes_per_point() const;
   [[nodiscard]] const PointCloud& cloud() const { return *shown_.cloud; }
   /// Packs the chosen points and describes them.
-  [[nodiscard]] nlohmann::ordered_json pack(std::span<const std::uint32_t> chosen,
+  /// @param box  holds the chosen points
+  [[nodiscard]] nlohmann::ordered_json pack(std::span<const std::uint32_t> chosen, const Box& box,
                                             PackedArrays& arrays) const;
 
  private:

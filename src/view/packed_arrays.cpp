@@ -6,15 +6,26 @@
 #include <array>
 #include <cmath>
 
-#include "box.hpp"
 #include "view/encode.hpp"
 
 namespace deburr::view {
 
 using Json = nlohmann::ordered_json;
 
-Json PackedArrays::add_positions(Points points) {
-  const Box box = points.empty() ? Box{{0, 0, 0}, {0, 0, 0}} : bounding_box(points);
+namespace {
+
+Quantiser range_of(std::span<const double> values, double low, double high) {
+  const bool whole = high - low <= levels_16 && std::ranges::all_of(values, [](double value) {
+                       return !std::isfinite(value) || value == std::round(value);
+                     });
+  if (whole) return {low, 1, levels_16};
+  return low < 0 ? Quantiser::about_zero(std::max(-low, high), levels_16)
+                 : Quantiser::over(low, high, levels_16);
+}
+
+}  // namespace
+
+Json PackedArrays::add_positions(Points points, const Box& box) {
   const std::array axes{Quantiser::over(box.low.x, box.high.x, levels_24),
                         Quantiser::over(box.low.y, box.high.y, levels_24),
                         Quantiser::over(box.low.z, box.high.z, levels_24)};
@@ -47,8 +58,7 @@ Json PackedArrays::add_numbers(std::span<const double> values) {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  const Quantiser quantise = low < 0 ? Quantiser::about_zero(std::max(-low, high), levels_16)
-                                     : Quantiser::over(low, high, levels_16);
+  const Quantiser quantise = range_of(values, low, high);
   const std::size_t offset = bytes_.size();
   for (const double value : values) append_number(bytes_, quantise(value), 2);
   return {{"type", "u16"},

@@ -8,19 +8,20 @@
 #include <string>
 #include <vector>
 
+#include "box.hpp"
 #include "deburr/vec3.hpp"
-#include "view/scene.hpp"
 
 namespace deburr::view {
 
 /// The arrays of a page, one after the other, with their descriptions.
 class PackedArrays {
  public:
-  /// Positions over their box, 24 bits per axis.
-  nlohmann::ordered_json add_positions(Points points);
+  /// Positions, 24 bits per axis over a box that holds them.
+  nlohmann::ordered_json add_positions(Points points, const Box& box);
   /// Directions, two bytes each.
   nlohmann::ordered_json add_directions(Normals normals);
-  /// Numbers over their range, 16 bits each, 0 exactly; NaN becomes the lowest.
+  /// Numbers over their range, 16 bits each, 0 exactly, and whole numbers if they fit; NaN becomes
+  /// the lowest.
   nlohmann::ordered_json add_numbers(std::span<const double> values);
   /// `components` bytes per point.
   nlohmann::ordered_json add_bytes(std::span<const std::uint8_t> values, int components);

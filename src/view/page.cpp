@@ -116,6 +116,14 @@ std::string page_html(std::string_view page, const Scene& scene, const PageText&
   return html;
 }
 
+std::string make_page(const Request& request, const std::string& report,
+                      const SceneOptions& options, const Execution& execution) {
+  const std::string_view page = viewer_template();
+  if (page.empty()) throw std::runtime_error(missing_viewer());
+  const std::size_t room = room_for_points(options, page, report.size(), {});
+  return page_html(page, make_scene(request, room, options, execution), {.report = report});
+}
+
 void write_page(const std::filesystem::path& path, const std::string& html) {
   AtomicFile file(path);
   file.write(html);

@@ -42,6 +42,15 @@ struct PageText {
 [[nodiscard]] std::string page_html(std::string_view page, const Scene& scene,
                                     const PageText& text);
 
+/// The whole page of a request in one call, without still pictures.
+/// @param report  as PageText::report
+/// @throws std::runtime_error  missing_viewer(), in a build without the template
+/// @throws std::invalid_argument  as make_scene
+/// @throws Cancelled  when execution.cancelled says so
+[[nodiscard]] std::string make_page(const Request& request, const std::string& report = {},
+                                    const SceneOptions& options = {},
+                                    const Execution& execution = {});
+
 /// Writes a page, whole or not at all; "-" is the standard output.
 /// @throws IoError  if the file cannot be written
 void write_page(const std::filesystem::path& path, const std::string& html);

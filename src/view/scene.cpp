@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "box.hpp"
 #include "view/cloud_packer.hpp"
 #include "view/pairing.hpp"
 #include "view/statistics.hpp"
@@ -48,6 +49,13 @@ std::vector<std::uint32_t> finite_of(Points points) {
     if (is_finite(points[i])) indices.push_back(static_cast<std::uint32_t>(i));
   }
   return indices;
+}
+
+Box box_of(const PointCloud& cloud, std::span<const std::uint32_t> chosen) {
+  if (chosen.empty()) return {{0, 0, 0}, {0, 0, 0}};
+  Box box;
+  for (const std::uint32_t i : chosen) box.add(cloud.points[i]);
+  return box;
 }
 
 /// The points of a pair of clouds: those that are in both first, at the same places.
@@ -114,11 +122,21 @@ Scene make_scene(const Request& request, std::size_t room, const SceneOptions& o
   Json clouds = Json::array();
   if (pairing.paired) {
     const ChosenPairs chosen = choose_pairs(request, pairing, share, execution);
-    clouds.push_back(before.pack(chosen.before, arrays));
-    clouds.push_back(after->pack(chosen.after, arrays));
+    // On one grid, so that a point that did not move has not moved.
+    Box box = box_of(before.cloud(), chosen.before);
+    const Box other = box_of(after->cloud(), chosen.after);
+    if (!chosen.after.empty()) {
+      box.add(other.low);
+      box.add(other.high);
+    }
+    clouds.push_back(before.pack(chosen.before, box, arrays));
+    clouds.push_back(after->pack(chosen.after, box, arrays));
   } else {
-    clouds.push_back(before.pack(alone(before.cloud()), arrays));
-    if (after) clouds.push_back(after->pack(alone(after->cloud()), arrays));
+    for (const CloudPacker* packer : {&before, after ? &*after : nullptr}) {
+      if (packer == nullptr) continue;
+      const std::vector<std::uint32_t> chosen = alone(packer->cloud());
+      clouds.push_back(packer->pack(chosen, box_of(packer->cloud(), chosen), arrays));
+    }
   }
   for (const Json& cloud : clouds) scene.shown.push_back(cloud["shown"]);
   Json json{{"format", 1}, {"paired", pairing.paired}, {"clouds", std::move(clouds)}};

@@ -75,7 +75,7 @@ function drawGrid(
     paper.moveTo(Math.round(at) + 0.5, 0);
     paper.lineTo(Math.round(at) + 0.5, height);
     paper.stroke();
-    paper.fillText(text, at + 3, height - 4);
+    if (at > 50) paper.fillText(text, at + 3, height - 4); // not over those of the other axis
   });
   lines(seen.y, height, picture.origin[1], (at, text) => {
     const y = Math.round(height - at) + 0.5;

@@ -9,7 +9,8 @@ export function select(
   const field = el('select', {}, ...choices.map(([key, name]) => el('option', { value: key }, name)));
   field.value = value;
   field.addEventListener('change', () => change(field.value));
-  return { element: el('label', { class: 'field' }, el('span', {}, label), field), field };
+  const name = label ? el('span', {}, label) : undefined;
+  return { element: el('label', { class: 'field' }, name, field), field };
 }
 
 export function checkbox(
