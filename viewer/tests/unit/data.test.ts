@@ -63,6 +63,16 @@ function pair(): { scene: SceneInfo; bytes: Uint8Array } {
   return { scene: { format: 1, paired: true, clouds: [cloud(0), second] }, bytes };
 }
 
+it('unpacks a direction that is folded over', () => {
+  // -x, +y, -z of equal size: (1 - 1/3) towards both signs, in steps of 1/127.
+  const packed = Uint8Array.of(127 - 85, 127 + 85);
+  const info = { type: 'octahedral', offset: 0, components: 2 } as const;
+  const [x, y, z] = directions(packed, info, 1);
+  expect(x! / 127).toBeCloseTo(-0.577, 1);
+  expect(y! / 127).toBeCloseTo(0.577, 1);
+  expect(z! / 127).toBeCloseTo(-0.577, 1);
+});
+
 describe('clouds', () => {
   it('keep coordinates of surveys', () => {
     const { scene, bytes } = pair();
