@@ -82,6 +82,7 @@ TEST(ViewSubsample, EveryBeginningOfTheOrderIsSpread) {
   first.resize(64);
   std::ranges::sort(first);
   for (std::size_t i = 1; i < first.size(); ++i) EXPECT_LE(first[i] - first[i - 1], 32U);
+  EXPECT_GE(first.back(), 960U);
 }
 
 /// A row of points.
