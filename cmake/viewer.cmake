@@ -57,7 +57,7 @@ elseif(DEBURR_VIEWER)
   endif()
   if(obstacle STREQUAL "")
     set(viewer_template ${PROJECT_BINARY_DIR}/viewer/template.html)
-    file(GLOB_RECURSE viewer_sources CONFIGURE_DEPENDS ${viewer_dir}/src/* ${viewer_dir}/build/*)
+    file(GLOB_RECURSE viewer_sources CONFIGURE_DEPENDS ${viewer_dir}/src/* ${viewer_dir}/bundle/*)
     add_custom_command(OUTPUT ${viewer_template}
       COMMAND ${DEBURR_NODE} node_modules/vite/bin/vite.js build --logLevel warn
         --outDir ${PROJECT_BINARY_DIR}/viewer --emptyOutDir false

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
-import { singlePage } from './build/inline';
+import { singlePage } from './bundle/inline';
 
 export default defineConfig({
   plugins: [singlePage(fileURLToPath(new URL('./template.html', import.meta.url)))],

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { createHash } from 'node:crypto';
 import { describe, expect, it } from 'vitest';
-import { fillTemplate, policy, tagSafe } from '../../build/inline';
+import { fillTemplate, policy, tagSafe } from '../../bundle/inline';
 import { baseName, coordinate, count, seconds, short } from '../../src/ui/format';
 import { binMiddle } from '../../src/ui/histogram';
 

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+// Puts script and style into the one HTML file that the program fills in, and lets nothing but
+// them run there.
+import { createHash } from 'node:crypto';
+import { readFileSync } from 'node:fs';
+import type { Plugin } from 'vite';
+
+/** The source expression of a content security policy for this text between its tags. */
+export function hashOf(text: string): string {
+  return `'sha256-${createHash('sha256').update(text, 'utf8').digest('base64')}'`;
+}
+
+/** The policy of a page with one script and one style sheet. Pictures are those in the page. */
+export function policy(script: string, style: string): string {
+  return [
+    "default-src 'none'",
+    `script-src ${hashOf(script)}`,
+    `style-src ${hashOf(style)}`,
+    'img-src data: blob:',
+    "base-uri 'none'",
+    "form-action 'none'",
+  ].join('; ');
+}
+
+/** A script in which no tag can end or begin. */
+export function tagSafe(script: string): string {
+  return script.replace(/<\/(script)/gi, '<\\/$1').replace(/<!--/g, '<\\!--');
+}
+
+export function fillTemplate(template: string, script: string, style: string): string {
+  const safe = tagSafe(script);
+  const parts: [string, string][] = [
+    ['<!--app:policy-->', policy(safe, style)],
+    ['<!--app:style-->', style],
+    ['<!--app:script-->', safe],
+  ];
+  let page = template;
+  for (const [mark, text] of parts) {
+    if (page.split(mark).length !== 2) throw new Error(`template.html must have one ${mark}`);
+    page = page.replace(mark, () => text);
+  }
+  return page;
+}
+
+/** Replaces everything that Vite built by template.html with script and style in it. */
+export function singlePage(templatePath: string): Plugin {
+  return {
+    name: 'deburr-single-page',
+    enforce: 'post',
+    generateBundle(_options, bundle) {
+      let script = '';
+      let style = '';
+      for (const [name, part] of Object.entries(bundle)) {
+        if (part.type === 'chunk') script += part.code;
+        else if (name.endsWith('.css')) style += String(part.source);
+        else throw new Error(`no place in the page for ${name}`);
+        delete bundle[name];
+      }
+      const source = fillTemplate(readFileSync(templatePath, 'utf8'), script, style);
+      this.emitFile({ type: 'asset', fileName: 'template.html', source });
+    },
+  };
+}
