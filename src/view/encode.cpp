@@ -24,8 +24,8 @@ Quantiser Quantiser::over(double low, double high, std::uint32_t levels) {
 }
 
 Quantiser Quantiser::about_zero(double most, std::uint32_t levels) {
-  const std::uint32_t even = levels / 2 * 2;
-  return {-most, most > 0 ? most / (even / 2) : 0, even};
+  const std::uint32_t half = levels / 2;
+  return {-most, most > 0 ? most / half : 0, 2 * half};
 }
 
 std::uint32_t Quantiser::operator()(double value) const {

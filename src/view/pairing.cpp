@@ -54,9 +54,7 @@ bool plausible(Points before, Points after) {
   return sum / static_cast<double>(count) <= same_points * 2 * norm(half_extent(box));
 }
 
-void measure(const Request& request, Pairing& pairing) {
-  const PointCloud& before = *request.before.cloud;
-  const PointCloud& after = *request.after->cloud;
+void measure(const PointCloud& before, const PointCloud& after, Pairing& pairing) {
   pairing.is_signed = !after.normals.empty();
   pairing.displacement.reserve(after.size());
   for (std::size_t i = 0; i < after.size(); ++i) {
@@ -76,7 +74,8 @@ void measure(const Request& request, Pairing& pairing) {
 Pairing pair_points(const Request& request) {
   check_origin(request);
   Pairing pairing;
-  const PointCloud& last = request.after ? *request.after->cloud : *request.before.cloud;
+  const ShownCloud& shown = request.after ? *request.after : request.before;
+  const PointCloud& last = *shown.cloud;
   pairing.origin = find_origin(request);
   pairing.paired = !pairing.origin.empty();
   if (pairing.paired && request.origin.empty() &&
@@ -84,12 +83,12 @@ Pairing pair_points(const Request& request) {
     pairing.warnings.push_back(
         fmt::format("{} and {} have as many points, but these are not the same points in the same "
                     "order, so no movement is shown",
-                    request.before.name, request.after->name));
+                    request.before.name, shown.name));
     pairing.paired = false;
     pairing.origin.clear();
   }
   if (pairing.paired) {
-    measure(request, pairing);
+    measure(*request.before.cloud, last, pairing);
   } else if (const Attribute* field = find_numbers(last, "deburr_displacement")) {
     for (std::size_t i = 0; i < last.size(); ++i) {
       pairing.displacement.push_back(number_at(*field, i));

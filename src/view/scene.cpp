@@ -64,10 +64,8 @@ struct ChosenPairs {
   std::vector<std::uint32_t> after;
 };
 
-ChosenPairs choose_pairs(const Request& request, const Pairing& pairing, double share,
-                         const Execution& execution) {
-  const PointCloud& before = *request.before.cloud;
-  const PointCloud& after = *request.after->cloud;
+ChosenPairs choose_pairs(const PointCloud& before, const PointCloud& after, const Pairing& pairing,
+                         double share, const Execution& execution) {
   std::vector<std::uint32_t> both;
   std::vector<bool> alone(before.size(), true);
   for (std::size_t i = 0; i < after.size(); ++i) {
@@ -121,7 +119,8 @@ Scene make_scene(const Request& request, std::size_t room, const SceneOptions& o
   PackedArrays arrays;
   Json clouds = Json::array();
   if (pairing.paired) {
-    const ChosenPairs chosen = choose_pairs(request, pairing, share, execution);
+    const ChosenPairs chosen =
+        choose_pairs(before.cloud(), after->cloud(), pairing, share, execution);
     // On one grid, so that a point that did not move has not moved.
     Box box = box_of(before.cloud(), chosen.before);
     const Box other = box_of(after->cloud(), chosen.after);
