@@ -50,7 +50,7 @@ export class App {
     const modes = availableModes(clouds);
     const dark = window.matchMedia('(prefers-color-scheme: dark)').matches;
     this.store = new Store({
-      layout: 'side', mode: 'normals', ranges: {}, pointSize: 2, orthographic: false,
+      layout: 'side', mode: 'normals', ranges: {}, pointSize: 2.4, orthographic: false,
       hideOutliers: false, wipe: 0.5, picked: undefined, dark,
       slab: { on: false, axis: 'y', position: 0.5, thickness: 3, keepBehind: true },
     });

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The deburr authors
 // SPDX-License-Identifier: Apache-2.0
-// Points as squares of one size in space, lit from where the viewer stands, on both sides.
+// Points as discs of one size in space, lit from where the viewer stands, on both sides.
 
 export const vertexShader = /* glsl */ `
 attribute vec4 tint;
@@ -14,12 +14,15 @@ uniform bool sliced;
 uniform vec4 plane;           // normal and offset of the middle of the slab
 uniform vec2 reach;           // in front of and behind the plane
 varying vec3 colour;
+varying float corner;         // squared distance from the middle where a point ends
 
 void main() {
   vec4 eye = modelViewMatrix * vec4(position, 1.0);
   gl_Position = projectionMatrix * eye;
   float far = isOrthographic ? 1.0 : max(-eye.z, 1e-6);
   gl_PointSize = clamp(diameter * pixelsPerUnit / far, smallest, largest);
+  // Of a few pixels nobody sees the corners.
+  corner = gl_PointSize > 4.0 ? 0.25 : 1.0;
   vec3 direction = normalize(normalMatrix * normal + vec3(0.0, 0.0, 1e-6));
   float facing = abs(dot(direction, normalize(vec3(0.25, 0.35, 0.9))));
   colour = tint.rgb * (1.0 - light + light * facing);
@@ -34,7 +37,10 @@ void main() {
 
 export const fragmentShader = /* glsl */ `
 varying vec3 colour;
+varying float corner;
 void main() {
+  vec2 from = gl_PointCoord - 0.5;
+  if (dot(from, from) > corner) discard;
   gl_FragColor = vec4(colour, 1.0);
 }
 `;
