@@ -36,7 +36,7 @@ function(deburr_viewer_obstacle result)
     message(STATUS "installing the packages of viewer/ with npm")
     execute_process(
       COMMAND ${CMAKE_COMMAND} -E env PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD=1
-        ${DEBURR_NPM} ci --no-audit --no-fund --loglevel=error
+        ${DEBURR_NPM} ci --no-audit --no-fund --loglevel=error --fetch-retries=1
       WORKING_DIRECTORY ${viewer_dir} RESULT_VARIABLE failed OUTPUT_QUIET ERROR_VARIABLE told)
     if(failed)
       set(${result} "npm ci failed in viewer/: ${told}" PARENT_SCOPE)
