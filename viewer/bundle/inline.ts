@@ -28,10 +28,18 @@ export function tagSafe(script: string): string {
   return script.replace(/<\/(script)/gi, '<\\/$1').replace(/<!--/g, '<\\!--');
 }
 
-export function fillTemplate(template: string, script: string, style: string): string {
+/** A licence that has to go with the code, as a comment of HTML. */
+export function licenceComment(name: string, text: string): string {
+  return `<!-- With parts of ${name}:\n${text.replace(/--+>?/g, '-').trim()}\n-->`;
+}
+
+export function fillTemplate(
+  template: string, script: string, style: string, licence: string,
+): string {
   const safe = tagSafe(script);
   const parts: [string, string][] = [
     ['<!--app:policy-->', policy(safe, style)],
+    ['<!--app:licence-->', licence],
     ['<!--app:style-->', style],
     ['<!--app:script-->', safe],
   ];
@@ -43,8 +51,9 @@ export function fillTemplate(template: string, script: string, style: string): s
   return page;
 }
 
-/** Replaces everything that Vite built by template.html with script and style in it. */
-export function singlePage(templatePath: string): Plugin {
+/** Replaces everything that Vite built by template.html with script and style in it.
+ * @param licencePath  of three.js, the one package whose code is in the page */
+export function singlePage(templatePath: string, licencePath: string): Plugin {
   return {
     name: 'deburr-single-page',
     enforce: 'post',
@@ -57,7 +66,8 @@ export function singlePage(templatePath: string): Plugin {
         else throw new Error(`no place in the page for ${name}`);
         delete bundle[name];
       }
-      const source = fillTemplate(readFileSync(templatePath, 'utf8'), script, style);
+      const licence = licenceComment('three.js', readFileSync(licencePath, 'utf8'));
+      const source = fillTemplate(readFileSync(templatePath, 'utf8'), script, style, licence);
       this.emitFile({ type: 'asset', fileName: 'template.html', source });
     },
   };

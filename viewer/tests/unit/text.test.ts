@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { createHash } from 'node:crypto';
 import { describe, expect, it } from 'vitest';
-import { fillTemplate, policy, tagSafe } from '../../bundle/inline';
+import { fillTemplate, licenceComment, policy, tagSafe } from '../../bundle/inline';
 import { baseName, coordinate, count, seconds, short } from '../../src/ui/format';
 import { binMiddle } from '../../src/ui/histogram';
 
@@ -38,11 +38,11 @@ describe('numbers for people', () => {
 });
 
 describe('the single page', () => {
-  const template = '<meta content="<!--app:policy-->"><style><!--app:style--></style>' +
+  const template = '<!--app:licence--><meta content="<!--app:policy-->"><style><!--app:style--></style>' +
     '<script><!--app:script--></script>';
 
   it('allows its own script and style by their hashes, and nothing else', () => {
-    const page = fillTemplate(template, 'let a = "$&";', 'p{}');
+    const page = fillTemplate(template, 'let a = "$&";', 'p{}', '');
     expect(page).toContain('<script>let a = "$&";</script>');
     const hash = createHash('sha256').update('let a = "$&";').digest('base64');
     expect(page).toContain(`script-src 'sha256-${hash}'`);
@@ -54,8 +54,16 @@ describe('the single page', () => {
     expect(tagSafe('"</script><!-- "')).toBe('"<\\/script><\\!-- "');
   });
 
+  it('carries the licence of what is in it, as a comment that nothing ends', () => {
+    const comment = licenceComment('three', 'MIT --> <b> ---- x');
+    expect(comment.startsWith('<!-- With parts of three:')).toBe(true);
+    expect(comment.indexOf('-->')).toBe(comment.length - 3);
+    expect(comment).toContain('MIT');
+    expect(fillTemplate(template, '', '', comment).startsWith(comment)).toBe(true);
+  });
+
   it('needs every mark once', () => {
-    expect(() => fillTemplate('<!--app:style-->', '', '')).toThrow('app:policy');
-    expect(() => fillTemplate(template + '<!--app:script-->', '', '')).toThrow('app:script');
+    expect(() => fillTemplate('<!--app:style-->', '', '', '')).toThrow('app:policy');
+    expect(() => fillTemplate(template + '<!--app:script-->', '', '', '')).toThrow('app:script');
   });
 });
