@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -19,6 +20,7 @@
 #include "interrupt.hpp"
 #include "json_line.hpp"
 #include "output_file.hpp"
+#include "report_page.hpp"
 
 namespace deburr::cli {
 namespace {
@@ -26,6 +28,7 @@ namespace {
 constexpr const char* examples =
     "  deburr denoise scan.ply clean.ply\n"
     "  deburr denoise scan.ply clean.ply --report report.json --quiet\n"
+    "  deburr denoise scan.ply clean.ply --report report.html\n"
     "  deburr denoise scan.las clean.las --outliers label\n"
     "  deburr denoise scan.xyz clean.xyz --strength 2 --outliers remove\n"
     "  deburr denoise scan.xyz clean.ply --method yadav2018 --rho 0.95 --add label,displacement";
@@ -153,7 +156,7 @@ FormatInfo check(const DenoiseArgs& args) {
   if (!args.report.empty()) {
     check_different("--report", args.report, args.input);
     check_different("--report", args.report, args.output);
-    check_output(args.report);
+    is_page(args.report) ? check_page_output(args.report) : check_output(args.report);
   }
   // Nothing to denoise, so this only looks at the ranges of the options.
   DenoiseOptions options = args.options;
@@ -190,6 +193,8 @@ void run(const DenoiseArgs& args) {
     summary.warnings.push_back(fmt::format("{}: {}", args.input, doubt));
   }
   const std::size_t points = result.cloud.size();
+  std::optional<ReportPage> page;
+  if (is_page(args.report)) page.emplace(args.input, args.output, result.cloud);
   if (std::ranges::any_of(result.cloud.points, is_finite)) {
     const bool had_normals = !result.cloud.normals.empty();
     const std::vector<ElementSize> elements = element_sizes(result.cloud);
@@ -199,6 +204,7 @@ void run(const DenoiseArgs& args) {
       throw DataError(args.input + ": " + error.what());
     }
     summary.report = std::move(result.report);
+    if (page) page->take(result, execution);
     warn_of_lost_elements(args.input, elements, element_sizes(result.cloud), summary.warnings);
     summarize_displacement(result, summary);
     summary.added = add_fields(result, add, had_normals, format.name == "las");
@@ -209,6 +215,7 @@ void run(const DenoiseArgs& args) {
     summary.report.non_finite = points;
     summary.report.labels[static_cast<std::size_t>(Feature::Isolated)] = points;
     summary.warnings.emplace_back(args.input + ": no point is finite, written unchanged");
+    if (page) page->take(result, execution);
   }
 
   bar.clear();
@@ -221,7 +228,11 @@ void run(const DenoiseArgs& args) {
   stages.push_back({"write", steady_seconds() - writing});
 
   const std::string json = to_line(to_json(summary));
-  if (!args.report.empty()) write_text(args.report, json);
+  if (page) {
+    page->write(args.report, json);
+  } else if (!args.report.empty()) {
+    write_text(args.report, json);
+  }
   if (args.common.json) {
     print(json);
   } else if (!args.common.quiet) {
@@ -246,7 +257,10 @@ void add_denoise_command(CLI::App& program) {
           "--add", args->add,
           "What to write for every point: normals,label,displacement,outlier, some or none")
       ->option_text("LIST [all to PLY, LAS and PCD, else none]");
-  command->add_option("--report", args->report, "Write the summary to this file, as JSON")
+  command
+      ->add_option("--report", args->report,
+                   "Write the summary to this file: as JSON, or, if it ends in .html, as a page "
+                   "that shows the points before and after")
       ->option_text("FILE");
   add_common_options(*command, args->common, examples);
   command->callback([command, args] {

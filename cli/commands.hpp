@@ -12,5 +12,7 @@ void add_denoise_command(CLI::App& program);
 void add_info_command(CLI::App& program);
 void add_synth_command(CLI::App& program);
 void add_compare_command(CLI::App& program);
+void add_view_command(CLI::App& program);
+void add_render_command(CLI::App& program);
 
 }  // namespace deburr::cli

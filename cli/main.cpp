@@ -50,6 +50,8 @@ void add_commands(CLI::App& program) {
   add_info_command(program);
   add_synth_command(program);
   add_compare_command(program);
+  add_view_command(program);
+  add_render_command(program);
 }
 
 int run(int argc, const char* const* argv) {

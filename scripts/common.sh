@@ -3,8 +3,10 @@
 # What the scripts of this folder share; they source it.
 
 build_packages=(cmake ninja-build g++ libeigen3-dev libtbb-dev libcli11-dev libfmt-dev
-  nlohmann-json3-dev)
+  nlohmann-json3-dev libpng-dev)
 python_packages=(python3 python3-dev python3-venv)
+# For the page of `view` and `--report`; a build without them says what is missing.
+viewer_packages=(nodejs npm)
 
 fail() {
   echo "$(basename "$0"): $1" >&2
@@ -35,6 +37,16 @@ install_missing() {
   logged "${as_root[@]}" update || echo "apt-get update failed, trying with the lists as they are"
   logged "${as_root[@]}" install -y --no-install-recommends "${missing[@]}" ||
     fail_with_log "the installation failed"
+}
+
+# Installs Node.js where there is none of 18 or newer; another source than Debian may have brought it.
+install_node() {
+  local version
+  if version=$(node --version 2>/dev/null) && command -v npm >/dev/null; then
+    version=${version#v}
+    [ "${version%%.*}" -lt 18 ] || return 0
+  fi
+  install_missing "${viewer_packages[@]}"
 }
 
 # Runs a command with its output in $log.
@@ -71,12 +83,12 @@ start_log() {
   : >"$log"
 }
 
-# Configures and builds a preset, or some targets of it.
+# Configures and builds a preset, or some targets of it. $configure_options are for CMake.
 build_preset() {
   local started=$SECONDS preset=$1
   shift
   printf 'building (%s; takes minutes the first time) ... ' "$log"
-  if ! { logged cmake --preset "$preset" &&
+  if ! { logged cmake --preset "$preset" ${configure_options[@]+"${configure_options[@]}"} &&
     logged cmake --build --preset "$preset" -j "$(nproc)" ${1:+--target "$@"}; }; then
     echo failed
     fail_with_log "the build failed"

@@ -40,7 +40,7 @@ void SomePoints::nearest_to(const Vec3& at, std::size_t count, std::vector<Found
   if (places_.empty()) return tree_.nearest_to(at, count, no_limit, found);
   for (std::size_t ask = count + 2;; ask *= 2) {
     tree_.nearest_to(at, ask, no_limit, found);
-    const bool all = found.size() < ask;
+    const bool all = ask >= tree_.order().size();
     std::size_t kept = 0;
     for (const Found& f : found) {
       const std::uint32_t here = places_[f.index];

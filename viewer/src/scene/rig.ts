@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The deburr authors
+// SPDX-License-Identifier: Apache-2.0
+// The one camera of all panes, with or without perspective, and what moves it.
+import { OrthographicCamera, PerspectiveCamera, Spherical, Vector3 } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { Extent } from '../data/extent';
+
+const fieldOfView = 35; // degrees
+const margin = 1.05;
+const halfAngle = Math.tan(((fieldOfView / 2) * Math.PI) / 180);
+
+export const views = {
+  iso: [1, -1.6, 1],
+  front: [0, -1, 0],
+  back: [0, 1, 0],
+  left: [-1, 0, 0],
+  right: [1, 0, 0],
+  top: [0, 0, 1],
+  bottom: [0, 0, -1],
+} as const;
+export type ViewName = keyof typeof views;
+
+export class Rig {
+  readonly perspective = new PerspectiveCamera(fieldOfView, 1, 0.01, 100);
+  readonly orthographic = new OrthographicCamera(-1, 1, 1, -1, 0, 100);
+  private readonly controls: OrbitControls;
+  private aspect = 1; // of the pane that was drawn last
+
+  constructor(element: HTMLElement, private readonly extent: Extent, moved: () => void) {
+    // Height is up, as in files of scans; this has to be known before the controls.
+    this.perspective.up.set(0, 0, 1);
+    this.orthographic.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.perspective, element);
+    this.controls.addEventListener('change', moved);
+    this.look('iso');
+  }
+
+  get camera(): PerspectiveCamera | OrthographicCamera {
+    return this.controls.object as PerspectiveCamera | OrthographicCamera;
+  }
+
+  get target(): Vector3 {
+    return this.controls.target;
+  }
+
+  /** How far the viewer stands away; without perspective, where they would have to stand. */
+  private get distance(): number {
+    return this.camera === this.orthographic
+      ? 1 / (this.orthographic.zoom * halfAngle)
+      : this.camera.position.distanceTo(this.target);
+  }
+
+  /** Shows everything from one side. */
+  look(name: ViewName): void {
+    this.controls.target.fromArray(this.extent.centre);
+    this.place(new Vector3().fromArray(views[name]).normalize());
+  }
+
+  /** Shows everything from where the viewer is. */
+  fit(): void {
+    const direction = this.camera.position.clone().sub(this.target).normalize();
+    this.controls.target.fromArray(this.extent.centre);
+    this.place(direction);
+  }
+
+  private place(direction: Vector3): void {
+    // Straight from above nothing tells where the top of the picture is.
+    if (Math.abs(direction.z) > 0.999) direction.add(new Vector3(0, -1e-3, 0)).normalize();
+    const { half, distance } = this.needed(direction);
+    this.orthographic.zoom = 1 / half;
+    this.camera.position.copy(this.target).addScaledVector(direction, distance);
+    this.controls.update();
+  }
+
+  /** Half the height without perspective, and the distance with it, that show the whole box. */
+  private needed(direction: Vector3): { half: number; distance: number } {
+    const right = new Vector3().crossVectors(this.perspective.up, direction).normalize();
+    const up = new Vector3().crossVectors(direction, right);
+    const { low, high, centre, radius } = this.extent;
+    let half = 1e-6 * radius;
+    let distance = half;
+    for (let corner = 0; corner < 8; ++corner) {
+      const at = new Vector3().fromArray([0, 1, 2].map((k) =>
+        ((corner >> k) & 1 ? high[k]! : low[k]!) - centre[k]!));
+      // A tall pane shows the whole width, a wide one the whole height; see aim().
+      const wide = Math.abs(at.dot(right)) / Math.max(this.aspect, 1);
+      const tall = Math.abs(at.dot(up)) / Math.max(1, 1 / this.aspect);
+      const reach = margin * Math.max(wide, tall);
+      half = Math.max(half, reach);
+      distance = Math.max(distance, at.dot(direction) + reach / halfAngle);
+    }
+    return { half, distance };
+  }
+
+  setOrthographic(on: boolean): void {
+    const wanted = on ? this.orthographic : this.perspective;
+    const now = this.camera;
+    if (wanted === now) return;
+    const distance = this.distance;
+    const direction = now.position.clone().sub(this.target).normalize();
+    this.orthographic.zoom = 1 / (distance * halfAngle);
+    wanted.position.copy(this.target).addScaledVector(direction, distance);
+    this.controls.object = wanted;
+    this.controls.update();
+  }
+
+  /** Turns around the target, angles in radians. */
+  orbit(right: number, up: number): void {
+    const around = new Spherical().setFromVector3(this.yUp(this.camera.position.clone().sub(this.target)));
+    around.theta += right;
+    around.phi = Math.min(Math.max(around.phi - up, 1e-3), Math.PI - 1e-3);
+    const offset = new Vector3().setFromSpherical(around);
+    this.camera.position.copy(this.target).add(new Vector3(offset.x, -offset.z, offset.y));
+    this.controls.update();
+  }
+
+  private yUp(v: Vector3): Vector3 {
+    return new Vector3(v.x, v.z, -v.y);
+  }
+
+  /** Moves sideways, in shares of the height of the view. */
+  pan(right: number, up: number): void {
+    const height = 2 * this.distance * halfAngle;
+    this.camera.updateMatrix();
+    const axis = (column: number, by: number) =>
+      new Vector3().setFromMatrixColumn(this.camera.matrix, column).multiplyScalar(by * height);
+    const shift = axis(0, right).add(axis(1, up));
+    this.camera.position.add(shift);
+    this.controls.target.add(shift);
+    this.controls.update();
+  }
+
+  /** Comes nearer by a factor. */
+  zoom(factor: number): void {
+    if (this.camera === this.orthographic) {
+      this.orthographic.zoom *= factor;
+    } else {
+      const offset = this.camera.position.clone().sub(this.target).divideScalar(factor);
+      this.camera.position.copy(this.target).add(offset);
+    }
+    this.controls.update();
+    this.controls.dispatchEvent({ type: 'change' });
+  }
+
+  /** Makes the camera ready for a pane of this shape. */
+  aim(aspect: number): void {
+    this.aspect = aspect;
+    const distance = this.camera.position.distanceTo(this.target);
+    const centre = new Vector3().fromArray(this.extent.centre);
+    const depth = this.extent.radius * 6 + this.camera.position.distanceTo(centre);
+    if (this.camera === this.orthographic) {
+      // A tall pane shows the whole width, a wide one the whole height.
+      const x = Math.max(aspect, 1);
+      const y = Math.max(1, 1 / aspect);
+      Object.assign(this.orthographic, { left: -x, right: x, top: y, bottom: -y, near: -depth, far: depth });
+    } else {
+      this.perspective.aspect = aspect;
+      this.perspective.fov =
+        (360 / Math.PI) * Math.atan(halfAngle * Math.max(1, 1 / aspect));
+      this.perspective.near = Math.max(distance * 1e-3, depth * 1e-5);
+      this.perspective.far = depth;
+    }
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+  }
+}
