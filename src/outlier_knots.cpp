@@ -69,7 +69,9 @@ Knots::Knots(const SomePoints& points, const Execution& execution)
            static_cast<double>(group_ == 1 ? points_.size() : thinned_.size());
   };
   const double ratio = wanted_radius * trial.noise / trial.radius;
-  const double points_wanted = ratio * ratio * static_cast<double>(trial_knots) * per_knot();
+  // Distances beyond all numbers tell nothing of the radius.
+  const double growth = std::isfinite(ratio * ratio) ? ratio * ratio : 1;
+  const double points_wanted = growth * static_cast<double>(trial_knots) * per_knot();
   std::size_t group = 1;
   while (points_wanted > most * static_cast<double>(group)) group *= 2;
   const double in_trial = static_cast<double>(trial_knots) * per_knot();
