@@ -112,7 +112,8 @@ void RoughSurface::smooth_noise(const Execution& execution) {
 std::uint32_t RoughSurface::nearest_cell(const Vec3& at, double& squared_distance) const {
   const Found nearest = center_tree_->nearest_to(at);
   squared_distance = nearest.squared_distance;
-  return nearest.index;
+  // Between places whose distance is beyond all numbers none is the nearest.
+  return std::isfinite(squared_distance) ? nearest.index : 0;
 }
 
 double RoughSurface::rough_score(std::uint32_t point) const {

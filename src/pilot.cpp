@@ -17,9 +17,16 @@
 namespace deburr {
 namespace {
 
-constexpr int rounds = 2;
 constexpr double normal_scale = 0.35;
-constexpr double step = 0.8;
+
+/// Rounds, and the share of each move. Over cells rounds cost little, and the noise, many spacings,
+/// needs more of them; with less noise, more rounds round edges off.
+struct Rounds {
+  int count;
+  double step;
+};
+constexpr Rounds of_cells{5, 0.5};
+constexpr Rounds of_points{2, 0.8};
 
 /// Scale of the weights: so many spacings and so many standard deviations of the noise.
 constexpr double scale_spacings = 0.45;
@@ -77,6 +84,7 @@ Pilot find_pilot(const AutomaticInput& input, const Execution& execution) {
       find_neighbors(nodes.measured, {.max_count = most_neighbors, .radius = radius_scales * scale},
                      sub_execution(execution, "pilot", 0.4, 0.6));
   std::vector<Vec3> places = nodes.measured;
+  const auto [rounds, step] = merge ? of_cells : of_points;
   FeatureField field;
   for (int round = 0; round < rounds; ++round) {
     const Execution part = sub_execution(execution, "pilot", 0.6 + 0.4 * round / rounds,
