@@ -10,7 +10,7 @@ namespace {
 
 /// Of the nodes that are fitted in the first pass, one of so many is at all scales: what these tell
 /// is pooled over many nodes.
-constexpr std::size_t all_scales_step = 3;
+constexpr std::size_t all_scales_step = 2;
 
 /// A node by an edge takes the scale chosen for one close to it, if that is of the same face.
 constexpr double same_face = 0.7;
