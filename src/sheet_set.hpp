@@ -41,7 +41,9 @@ class SheetSet {
   /// Of the places of the even choice, which are the first of sheets().
   [[nodiscard]] const KdTree& even() const { return even_; }
   /// Of the places of all sheets.
-  [[nodiscard]] const KdTree& all() const { return sheets_.size() > even_.order().size() ? all_ : even_; }
+  [[nodiscard]] const KdTree& all() const {
+    return sheets_.size() > even_.order().size() ? all_ : even_;
+  }
   /// The sheet of a node, or `none`.
   [[nodiscard]] std::uint32_t of(std::uint32_t node) const { return of_[node]; }
 
