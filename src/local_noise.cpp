@@ -169,6 +169,7 @@ LocalNoiseField::Value LocalNoiseField::interpolate(const Vec3& at) const {
 std::vector<double> LocalNoiseField::sigma_at_places(const Execution& execution) {
   find_values(quiet(execution));
   std::vector<double> sigma;
+  sigma.reserve(values_.size());
   for (const Value& v : values_) sigma.push_back(survey_.set().length(std::exp(v.log_sigma)));
   return sigma;
 }

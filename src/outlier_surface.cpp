@@ -81,7 +81,8 @@ void RoughSurface::fit_cells(const Execution& execution) {
     for (const std::uint32_t i : members) {
       const Foot foot = foot_on(cell.patch, points_[i]);
       cell_[i] = static_cast<std::uint32_t>(c);
-      distance_[i] = foot.aside > cell.patch.radius ? infinity : foot.distance;
+      distance_[i] = foot.distance;
+      if (foot.aside > cell.patch.radius) distance_[i] = infinity;
       distances.push_back(foot.distance);
     }
     cell.noise = spread(distances);
