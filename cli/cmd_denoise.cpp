@@ -6,7 +6,9 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "args.hpp"
 #include "commands.hpp"
@@ -84,14 +86,37 @@ void set_attribute(PointCloud& cloud, const std::string& name, Values values) {
   attribute = {.name = name, .values = std::move(values), .offsets = {}};
 }
 
+/// Values as classes of LAS, whatever type they were read as; none if one is not a class.
+std::optional<std::vector<std::uint8_t>> as_classes(const Values& values) {
+  std::vector<std::uint8_t> classes;
+  const bool all = std::visit(
+      [&](const auto& column) {
+        using Value = typename std::decay_t<decltype(column)>::value_type;
+        if constexpr (std::is_arithmetic_v<Value>) {
+          for (const Value value : column) {
+            const auto number = static_cast<double>(value);
+            if (!(number >= 0 && number <= 255) || number != std::floor(number)) return false;
+            classes.push_back(static_cast<std::uint8_t>(number));
+          }
+          return true;
+        } else {
+          return false;
+        }
+      },
+      values);
+  return all ? std::optional(std::move(classes)) : std::nullopt;
+}
+
 /// LAS has a class for outliers, low noise, which all its programs know.
 void classify_outliers(PointCloud& cloud, const std::vector<std::uint8_t>& outliers) {
   constexpr std::uint8_t low_noise = 7;
   const auto found = std::ranges::find(cloud.attributes, "classification", &Attribute::name);
   std::vector<std::uint8_t> classes(cloud.size());
   if (found != cloud.attributes.end()) {
-    const auto* const before = std::get_if<std::vector<std::uint8_t>>(&found->values);
-    if (before != nullptr) classes = *before;
+    auto before = as_classes(found->values);
+    // Of what else a file calls its classification, nothing is written over.
+    if (!before || before->size() != classes.size()) return;
+    classes = std::move(*before);
   }
   for (std::size_t i = 0; i < classes.size(); ++i) {
     if (outliers[i] != 0) classes[i] = low_noise;

@@ -25,7 +25,8 @@ void insert(std::span<Found> values) {
 void FoundSort::sort(std::vector<Found>& found, std::size_t wanted, double largest) {
   if (wanted == 0) return found.clear();
   per_bucket_ = static_cast<double>(2 * found.size() - 1) / largest;
-  if (per_bucket_ < 1e300 && spread(found)) {
+  // A distance may be beyond all numbers.
+  if (per_bucket_ > 1e-300 && per_bucket_ < 1e300 && spread(found)) {
     // Whole buckets, of which the last has the last that is wanted.
     insert(std::span(spread_).first(ends_[bucket(spread_[wanted - 1])]));
     found.swap(spread_);

@@ -83,6 +83,8 @@ AutomaticResult denoise_at_levels(const AutomaticInput& input, const NoiseLevels
       points.push_back(input.points[i]);
       if (!input.normals.empty()) normals.push_back(input.normals[i]);
     }
+    // Noise that lies far apart leaves levels between without points.
+    if (some.empty()) continue;
     AutomaticInput part = input;
     part.points = points;
     part.normals = normals;

@@ -59,6 +59,23 @@ TEST(Denoise, FollowsTheNoiseFromPlaceToPlace) {
   for (const double d : bounded.displacement) EXPECT_LE(d, 0.01);
 }
 
+// A level between two noises that lie far apart has no points.
+TEST(DenoiseAtLevels, NeedsNoPointsAtALevel) {
+  const std::vector<Vec3> points = with_noise(sphere(400, 1).points, 0.02, 2);
+  NoiseLevels levels;
+  levels.sigma = {0.02, 0.04, 0.08, 0.16, 0.32};
+  levels.at.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) levels.at[i] = points[i].x > 0 ? 4 : 0;
+  AutomaticInput input;
+  input.points = points;
+  input.spacing = 0.18;
+  const Execution execution;
+  StageClock clock(execution);
+  const AutomaticResult result = denoise_at_levels(input, levels, 0, 4, clock, execution);
+  ASSERT_EQ(result.points.size(), points.size());
+  for (const Vec3& p : result.points) EXPECT_LT(distance_to_sphere(p), 0.5);
+}
+
 // Patches over its edges seem to have noise, others none.
 TEST(Denoise, TakesNoDetailOfAnExactPartForNoise) {
   const SyntheticScan scan = synthesize(Shape::Part, {.points = 1000, .noise = 0});

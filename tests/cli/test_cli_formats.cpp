@@ -67,6 +67,21 @@ TEST_F(CliFormats, FormatsAreTakenByName) {
   EXPECT_EQ(run_program({"info", "scan.ply", "--in-format", "las"}).exit_code, 3);
 }
 
+// Text has classes as integers of any size.
+TEST_F(CliFormats, LasKeepsClassesOfAnyType) {
+  PointCloud classified = scan;
+  classified.attributes.push_back(
+      {"classification", std::vector<std::int32_t>(scan.size(), 2), {}});
+  write_cloud("scan.ply", classified);
+  ASSERT_EQ(run_program({"denoise", "scan.ply", "out.las"}).exit_code, 0);
+  const PointCloud out = read_cloud("out.las");
+  const auto classes = std::get<std::vector<std::uint8_t>>(find(out, "classification")->values);
+  const DenoiseResult expected = denoise(scan);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    EXPECT_EQ(classes[i], expected.outliers[i] != 0 ? 7 : 2) << i;
+  }
+}
+
 TEST_F(CliFormats, LasGetsTheClassOfOutliersAndAGridForTheMovement) {
   // On a grid of a tenth of the noise.
   write_cloud("scan.las", scan);
