@@ -18,7 +18,7 @@ _ROOT = Path(__file__).resolve().parents[2]
 def source() -> Path:
     """The source tree, which is not there where a wheel is tested."""
     if not (_ROOT / "pyproject.toml").exists():
-        pytest.skip("no source tree beside the tests")
+        pytest.skip("NOT TESTED: needs the source tree; a wheel is tested away from it")
     return _ROOT
 
 
@@ -27,7 +27,7 @@ def documents() -> Path:
     """Where the pages and examples are; scripts/wheel copies them."""
     folder = Path(os.environ.get("DEBURR_DOCUMENTS", _ROOT))
     if not (folder / "README.md").exists():
-        pytest.skip("no pages beside the tests")
+        pytest.skip("NOT TESTED: needs README.md and docs; DEBURR_DOCUMENTS names their folder")
     return folder
 
 
@@ -35,7 +35,7 @@ def documents() -> Path:
 def scans(source: Path) -> Path:
     folder = source.parent / "shared" / "data" / "scans"
     if not folder.exists():
-        pytest.skip(f"NO SCANS in {folder}")
+        pytest.skip(f"NOT TESTED: needs real scans, which are no part of the project, in {folder}")
     return folder
 
 

@@ -59,7 +59,9 @@ void expect_error(const std::vector<std::string>& args, int code, const std::str
 }
 
 TEST_F(CliView, WithoutTheViewerItSaysWhatIsMissing) {
-  if (has_viewer) GTEST_SKIP() << "built with the viewer";
+  if (has_viewer) {
+    GTEST_SKIP() << "NOT TESTED: this build has the page; -DDEBURR_VIEWER=OFF makes one without";
+  }
   expect_error({"view", "noisy.ply", "-o", "x.html"}, 1, "Node.js");
   expect_error({"denoise", "noisy.ply", "out.ply", "--report", "x.html"}, 1, "-DDEBURR_VIEWER=ON");
   EXPECT_FALSE(std::filesystem::exists("out.ply"));
@@ -67,7 +69,9 @@ TEST_F(CliView, WithoutTheViewerItSaysWhatIsMissing) {
 }
 
 TEST_F(CliView, MakesAPageOfTwoClouds) {
-  if (!has_viewer) GTEST_SKIP() << "built without the viewer";
+  if (!has_viewer) {
+    GTEST_SKIP() << "NOT TESTED: this build has no page; Node.js and -DDEBURR_VIEWER=ON make one";
+  }
   const Outcome outcome = run_program(
       {"view", "noisy.ply", "clean.ply", "-o", "x.html", "--truth", "truth.ply", "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -86,7 +90,9 @@ TEST_F(CliView, MakesAPageOfTwoClouds) {
 }
 
 TEST_F(CliView, MakesAPageOfOneCloudOnStdout) {
-  if (!has_viewer) GTEST_SKIP() << "built without the viewer";
+  if (!has_viewer) {
+    GTEST_SKIP() << "NOT TESTED: this build has no page; Node.js and -DDEBURR_VIEWER=ON make one";
+  }
   const Outcome outcome = run_program({"view", "-", "-o", "-", "--quiet"}, "noisy.ply");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(json::parse(block(outcome.out, "scene"))["clouds"].size(), 1U);
@@ -94,7 +100,9 @@ TEST_F(CliView, MakesAPageOfOneCloudOnStdout) {
 }
 
 TEST_F(CliView, KeepsToItsSize) {
-  if (!has_viewer) GTEST_SKIP() << "built without the viewer";
+  if (!has_viewer) {
+    GTEST_SKIP() << "NOT TESTED: this build has no page; Node.js and -DDEBURR_VIEWER=ON make one";
+  }
   write_cloud("large.ply", synthesize_part({.points = 150'000, .noise = 0}).cloud);
   const Outcome outcome =
       run_program({"view", "large.ply", "-o", "x.html", "--max-size", "2", "--json"});
@@ -105,7 +113,9 @@ TEST_F(CliView, KeepsToItsSize) {
 }
 
 TEST_F(CliView, TheReportOfARunCanBeAPage) {
-  if (!has_viewer) GTEST_SKIP() << "built without the viewer";
+  if (!has_viewer) {
+    GTEST_SKIP() << "NOT TESTED: this build has no page; Node.js and -DDEBURR_VIEWER=ON make one";
+  }
   const Outcome outcome = run_program(
       {"denoise", "noisy.ply", "out.xyz", "--report", "R.HTML", "--outliers", "remove", "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -121,14 +131,18 @@ TEST_F(CliView, TheReportOfARunCanBeAPage) {
 }
 
 TEST_F(CliView, TheResultIsTheSameWithAPage) {
-  if (!has_viewer) GTEST_SKIP() << "built without the viewer";
+  if (!has_viewer) {
+    GTEST_SKIP() << "NOT TESTED: this build has no page; Node.js and -DDEBURR_VIEWER=ON make one";
+  }
   ASSERT_EQ(run_program({"denoise", "noisy.ply", "a.ply"}).exit_code, 0);
   ASSERT_EQ(run_program({"denoise", "noisy.ply", "b.ply", "--report", "r.html"}).exit_code, 0);
   EXPECT_EQ(read_text("a.ply"), read_text("b.ply"));
 }
 
 TEST_F(CliView, CloudsWithoutAFinitePointHaveAPage) {
-  if (!has_viewer) GTEST_SKIP() << "built without the viewer";
+  if (!has_viewer) {
+    GTEST_SKIP() << "NOT TESTED: this build has no page; Node.js and -DDEBURR_VIEWER=ON make one";
+  }
   write_text("nan.xyz", "nan nan nan\nnan 1 2\n");
   const Outcome outcome = run_program({"denoise", "nan.xyz", "o.xyz", "--report", "r.html"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -136,7 +150,9 @@ TEST_F(CliView, CloudsWithoutAFinitePointHaveAPage) {
 }
 
 TEST_F(CliView, RefusesWhatCannotBe) {
-  if (!has_viewer) GTEST_SKIP() << "built without the viewer";
+  if (!has_viewer) {
+    GTEST_SKIP() << "NOT TESTED: this build has no page; Node.js and -DDEBURR_VIEWER=ON make one";
+  }
   expect_error({"view", "noisy.ply"}, 2, "--output");
   expect_error({"view", "noisy.ply", "-o", "noisy.ply"}, 2, "would overwrite noisy.ply");
   expect_error({"view", "noisy.ply", "-o", "x.html", "--max-size", "1"}, 2,
@@ -148,7 +164,9 @@ TEST_F(CliView, RefusesWhatCannotBe) {
 }
 
 TEST_F(CliView, WarnsOfCloudsThatAreNotTheSamePoints) {
-  if (!has_viewer) GTEST_SKIP() << "built without the viewer";
+  if (!has_viewer) {
+    GTEST_SKIP() << "NOT TESTED: this build has no page; Node.js and -DDEBURR_VIEWER=ON make one";
+  }
   PointCloud mixed = read_cloud("clean.ply");
   std::ranges::rotate(mixed.points, mixed.points.begin() + 200);
   write_cloud("mixed.ply", mixed);
