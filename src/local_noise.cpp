@@ -102,10 +102,6 @@ std::vector<Group> group_noise(PatchSurvey& patches, std::span<const Vec3> at,
   return groups;
 }
 
-Execution quiet(const Execution& execution) {
-  return {.threads = execution.threads, .cancelled = execution.cancelled};
-}
-
 }  // namespace
 
 LocalNoiseField::LocalNoiseField(Points points, const Execution& execution)
@@ -167,7 +163,7 @@ LocalNoiseField::Value LocalNoiseField::interpolate(const Vec3& at) const {
 }
 
 std::vector<double> LocalNoiseField::sigma_at_places(const Execution& execution) {
-  find_values(quiet(execution));
+  find_values(without_progress(execution));
   std::vector<double> sigma;
   sigma.reserve(values_.size());
   for (const Value& v : values_) sigma.push_back(survey_.set().length(std::exp(v.log_sigma)));
@@ -179,7 +175,7 @@ LocalNoise LocalNoiseField::at_points(const Execution& execution) {
   LocalNoise noise{overall_, {}, {}};
   noise.sigma.assign(set.slot.size(), overall_.sigma);
   noise.spacing.assign(set.slot.size(), overall_.spacing);
-  find_values(quiet(execution));
+  find_values(without_progress(execution));
   if (values_.empty()) return noise;
   std::vector<Value> at(set.points.size());
   parallel_for(at.size(), sub_execution(execution, "noise", 0, 1),

@@ -44,7 +44,7 @@ bool NoiseSurvey::has_enough_points() const { return set_.points.size() >= fewes
 
 void NoiseSurvey::add_size(const Execution& execution) {
   const std::size_t size = patches_.sizes();
-  patches_.add_size({.threads = execution.threads, .cancelled = execution.cancelled});
+  patches_.add_size(without_progress(execution));
   sizes_.push_back(combine(patches_.patches(size), patches_.count(size), flattest_of_all));
 }
 
@@ -73,8 +73,7 @@ NoiseEstimate NoiseSurvey::overall(const Execution& execution) {
   constexpr double rounding = 1e-9;
   if (best.sigma > rounding * best.reach) {
     close = find_close_sheets(set_.points, tree_, some_places(places_for_sheets), best.count,
-                              best.sigma,
-                              {.threads = execution.threads, .cancelled = execution.cancelled});
+                              best.sigma, without_progress(execution));
     if (close.found) best.sigma = close.sigma;
   }
   if (execution.progress) execution.progress({"noise", 1});
@@ -110,7 +109,7 @@ std::vector<Vec3> NoiseSurvey::some_places(std::size_t number) const {
 double NoiseSurvey::whole_sigma(std::size_t count, double sigma, const Execution& execution) const {
   if (count > most_with_tails) return sigma;
   return with_tails(set_.points, tree_, some_places(places_for_tails), count, sigma,
-                    {.threads = execution.threads, .cancelled = execution.cancelled});
+                    without_progress(execution));
 }
 
 }  // namespace deburr

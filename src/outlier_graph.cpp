@@ -84,8 +84,7 @@ void find_links(Points points, const KdTree& tree, std::vector<Links>& nearest,
     reach[i] = std::sqrt(found.back().squared_distance);
   };
   const std::optional<CellGrid> grid =
-      CellGrid::make(points, usual_radius(points, tree), links,
-                     {.threads = execution.threads, .cancelled = execution.cancelled});
+      CellGrid::make(points, usual_radius(points, tree), links, without_progress(execution));
   parallel_blocks(points.size(), execution, [&](std::size_t begin, std::size_t end) {
     std::vector<Found> in_grid((end - begin) * links);
     std::vector<Found> found;

@@ -56,8 +56,7 @@ double spread(std::span<double> distances) {
 Knots::Knots(const SomePoints& points, const Execution& execution)
     : some_(points), points_(points.points()), count_(trial_knots) {
   // How many trials it takes is not known, so that they tell no progress.
-  Execution quiet = execution;
-  quiet.progress = nullptr;
+  const Execution quiet = without_progress(execution);
   Trial trial = try_out(quiet);
   while (trial.radius < least_radius * trial.noise && points_.size() / group_ > fewest_thinned) {
     thin(4 * group_);

@@ -89,7 +89,7 @@ Pilot find_pilot(const AutomaticInput& input, const Execution& execution) {
   for (int round = 0; round < rounds; ++round) {
     const Execution part = sub_execution(execution, "pilot", 0.6 + 0.4 * round / rounds,
                                          0.6 + 0.4 * (round + 1) / rounds);
-    const Execution quiet{.threads = part.threads, .cancelled = part.cancelled};
+    const Execution quiet = without_progress(part);
     normals = refit_normals(places, normals, neighborhoods,
                             {.position_scale = scale, .normal_scale = normal_scale}, quiet);
     normals = filter_normals(normals, neighborhoods, {}, Voteless::Keep, quiet);
