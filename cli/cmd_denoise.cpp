@@ -224,7 +224,7 @@ void run(const DenoiseArgs& args) {
     const bool had_normals = !result.cloud.normals.empty();
     const std::vector<ElementSize> elements = element_sizes(result.cloud);
     try {
-      result = denoise(result.cloud, args.options, execution);
+      result = denoise(std::move(result.cloud), args.options, execution);
     } catch (const DataError& error) {
       throw DataError(args.input + ": " + error.what());
     }

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "kd_tree.hpp"
 #include "landing.hpp"
 #include "node_fits.hpp"
 #include "node_levels.hpp"
@@ -20,23 +20,73 @@ namespace {
 /// Side of a node's cell where points are merged, in standard deviations of the noise.
 constexpr double node_cell = 1.0;
 
-NodeLevels make_levels(const AutomaticInput& input, Points measured, Points places, Normals normals,
-                       std::span<const double> trust, const Execution& execution) {
-  SurfaceNodes nodes = is_dense(input) ? merge_into_cells(measured, places, normals, {}, trust,
-                                                          node_cell * input.noise, 1, execution)
-                                       : nodes_of_points(measured, places, normals, trust);
-  const double per_node = static_cast<double>(measured.size()) / static_cast<double>(nodes.size());
-  return {std::move(nodes), input.spacing * std::sqrt(per_node), input.noise, execution};
+/// Points, or parts of points, as nodes.
+SurfaceNodes make_nodes(const AutomaticInput& input, std::vector<Vec3> measured,
+                        std::vector<Vec3> places, std::vector<Vec3> normals,
+                        std::vector<double> trust, const Execution& execution) {
+  if (is_dense(input)) {
+    return merge_into_cells(measured, places, normals, {}, trust, node_cell * input.noise, 1,
+                            execution);
+  }
+  return nodes_of_points(std::move(measured), std::move(places), std::move(normals),
+                         std::move(trust));
+}
+
+/// What is left to say of nodes when their levels are gone.
+FittedNodes describe(const AutomaticInput& input, std::size_t points, SurfaceNodes& nodes) {
+  const double per_node = static_cast<double>(points) / static_cast<double>(nodes.size());
+  return {std::move(nodes.of), nodes.size(), input.spacing * std::sqrt(per_node)};
 }
 
 /// Of each node, whether any of its points is one of some.
-std::vector<std::uint8_t> nodes_of_some(const SurfaceNodes& nodes,
+std::vector<std::uint8_t> nodes_of_some(const FittedNodes& nodes,
                                         std::span<const std::uint8_t> some) {
-  std::vector<std::uint8_t> of_nodes(nodes.size());
+  std::vector<std::uint8_t> of_nodes(nodes.count);
   for (std::size_t i = 0; i < some.size(); ++i) {
     if (some[i] != 0) of_nodes[nodes.of[i]] = 1;
   }
   return of_nodes;
+}
+
+/// The sheets of one pass and the nodes that they were fitted to. No more: what fits are made of
+/// takes several times the memory of the points, and landing must not have it beside its own.
+struct Fitted {
+  FittedNodes nodes;
+  FitSteps steps;
+  NodeSheets sheets;
+};
+
+/// Fits the points where the pilot has them, to learn how fits fare.
+Fitted survey_points(const AutomaticInput& input, const AutomaticResult& pilot, ScaleSurvey& scales,
+                     const Execution& execution) {
+  SurfaceNodes nodes = make_nodes(input, {input.points.begin(), input.points.end()}, pilot.points,
+                                  pilot.normals, {}, execution);
+  Fitted fitted{describe(input, input.points.size(), nodes), {}, {}};
+  const double spacing = fitted.nodes.spacing;
+  const NodeLevels levels(std::move(nodes), spacing, input.noise,
+                          sub_execution(execution, "fits", 0, 0.1));
+  fitted.steps = fit_steps(input.noise / spacing, input.parts);
+  Survey survey = survey_nodes(levels, input.noise, fitted.steps.survey, input.parts,
+                               sub_execution(execution, "fits", 0.1, 1));
+  fitted.sheets = std::move(survey.sheets);
+  scales = std::move(survey.scales);
+  return fitted;
+}
+
+/// Fits what every sheet has of the points.
+/// @param[out] by_edge  of each node, whether it is by an edge
+Fitted fit_shares(const AutomaticInput& input, const FitSteps& steps, const ScaleSurvey& scales,
+                  Shares shares, std::vector<std::uint8_t>& by_edge, const Execution& execution) {
+  const std::size_t points = shares.measured.size();
+  SurfaceNodes nodes = make_nodes(input, std::move(shares.measured), std::move(shares.places),
+                                  std::move(shares.normals), std::move(shares.trust), execution);
+  Fitted fitted{describe(input, points, nodes), steps, {}};
+  by_edge = nodes_of_some(fitted.nodes, shares.by_edge);
+  const NodeLevels levels(std::move(nodes), fitted.nodes.spacing, input.noise,
+                          sub_execution(execution, "fits", 0, 0.1));
+  fitted.sheets = fit_nodes(scales, levels, by_edge, input.noise, steps, input.parts,
+                            sub_execution(execution, "fits", 0.1, 1));
+  return fitted;
 }
 
 /// What the pilot found to be of no surface stays where it was measured.
@@ -73,31 +123,28 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
   }
 
   // A first pass tells how fits of every size fare, the second takes the best of them.
-  const NodeLevels first =
-      make_levels(input, input.points, result.points, result.normals, {}, part("fits", 0.4, 0.42));
-  const FitSteps steps = fit_steps(input.noise / first.spacing(), input.parts);
-  const Survey survey = clock.time("fits", [&] {
-    return survey_nodes(first, input.noise, steps.survey, input.parts, part("fits", 0.42, 0.6));
-  });
-  const Shares shares = clock.time("landing", [&] {
-    return land(input, first, survey.sheets, {steps.survey, {}}, result,
-                part("landing", 0.6, 0.65));
-  });
-  if (!input.parts.second_pass) {
-    keep_lone(input, lone, result);
-    return result;
-  }
-
-  const NodeLevels second = make_levels(input, shares.measured, shares.places, shares.normals,
-                                        shares.trust, part("fits", 0.65, 0.67));
-  const std::vector<std::uint8_t> by_edge = nodes_of_some(second.nodes(0), shares.by_edge);
-  const NodeSheets sheets = clock.time("fits", [&] {
-    return fit_nodes(first, survey, second, by_edge, input.noise, steps, input.parts,
-                     part("fits", 0.67, 0.9));
-  });
+  ScaleSurvey survey;
+  Fitted first = clock.time(
+      "fits", [&] { return survey_points(input, result, survey, part("fits", 0.4, 0.6)); });
+  Shares shares;
   clock.time("landing", [&] {
-    return land(input, second, sheets, {steps.even, by_edge}, result, part("landing", 0.9, 1));
+    land(input, first.nodes, std::move(first.sheets), {first.steps.survey, {}}, result, &shares,
+         part("landing", 0.6, 0.65));
+    return 0;
   });
+  if (input.parts.second_pass) {
+    std::vector<std::uint8_t> by_edge;
+    Fitted second = clock.time("fits", [&] {
+      return fit_shares(input, first.steps, survey, std::move(shares), by_edge,
+                        part("fits", 0.65, 0.9));
+    });
+    survey = {};
+    clock.time("landing", [&] {
+      land(input, second.nodes, std::move(second.sheets), {second.steps.even, by_edge}, result,
+           nullptr, part("landing", 0.9, 1));
+      return 0;
+    });
+  }
   keep_lone(input, lone, result);
   return result;
 }

@@ -26,7 +26,7 @@ struct AutomaticParts {
 };
 
 /// denoise() with some ingredients of the default method left out.
-[[nodiscard]] DenoiseResult denoise_with(const AutomaticParts& parts, const PointCloud& cloud,
+[[nodiscard]] DenoiseResult denoise_with(const AutomaticParts& parts, PointCloud cloud,
                                          const DenoiseOptions& options = {},
                                          const Execution& execution = {});
 

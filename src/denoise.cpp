@@ -7,12 +7,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "automatic.hpp"
 #include "deburr/error.hpp"
 #include "deburr/noise.hpp"
 #include "keep_points.hpp"
+#include "left_out.hpp"
 #include "local_noise.hpp"
 #include "noise_levels.hpp"
 #include "outliers_of_distinct.hpp"
@@ -99,33 +101,18 @@ NoiseLevels levels_of(LocalNoiseField& field, double strength, const Execution& 
   return levels(field.at_points(execution).sigma);
 }
 
-/// The default method, on what is left when outliers are taken out.
-void run_automatic(const AutoOptions& options, const AutomaticParts& parts, const WorkingSet& set,
-                   bool keep_normals, State& state, std::vector<std::uint8_t>& outliers,
-                   Report& report, StageClock& clock, const Execution& execution) {
-  if (options.outliers != OutlierAction::Keep) {
-    outliers = clock.time("outliers", [&] {
-      return find_outliers_of_distinct(set.points, {},
-                                       sub_execution(execution, "outliers", 0.02, 0.15));
-    });
-  }
-  std::vector<std::uint32_t> kept;
-  std::vector<Vec3> points;
-  std::vector<Vec3> normals;
-  CancelWatch watch(execution);
-  for (std::uint32_t i = 0; i < set.points.size(); ++i) {
-    watch();
-    if (outliers[i] != 0) continue;
-    kept.push_back(i);
-    points.push_back(set.points[i]);
-    if (keep_normals) normals.push_back(set.normals[i]);
-  }
+/// The default method, on what is left in the set.
+std::optional<AutomaticResult> run_on_surface(const AutoOptions& options,
+                                              const AutomaticParts& parts, const WorkingSet& set,
+                                              Report& report, StageClock& clock,
+                                              const Execution& execution) {
   constexpr std::array by_strength{0.5, 1 / std::numbers::sqrt2, 1.0, std::numbers::sqrt2, 2.0};
   const double strength = by_strength.at(static_cast<std::size_t>(options.strength - 1));
   NoiseEstimate estimate;
   NoiseLevels levels;
   clock.time("spacing and noise", [&] {
-    LocalNoiseField field(set_of_distinct(points), sub_execution(execution, "noise", 0.15, 0.22));
+    LocalNoiseField field(set_of_distinct(set.points),
+                          sub_execution(execution, "noise", 0.15, 0.22));
     const Execution rest = sub_execution(execution, "noise", 0.22, 0.25);
     report.spacing = set.length(field.neighbor_distance(spacing_neighbors, rest));
     estimate = field.overall();
@@ -138,7 +125,7 @@ void run_automatic(const AutoOptions& options, const AutomaticParts& parts, cons
   };
   const double spacing =
       estimate.spacing > 0 || options.noise == 0 ? estimate.spacing : local(report.spacing);
-  if (!(spacing > 0)) return;
+  if (!(spacing > 0)) return std::nullopt;
   const Caution caution(options.noise > 0 ? NoiseEstimate{} : estimate);
   const double found = strength * (options.noise > 0 ? local(options.noise) : estimate.sigma);
   const double noise = caution.noise * found;
@@ -146,7 +133,8 @@ void run_automatic(const AutoOptions& options, const AutomaticParts& parts, cons
   double max_move =
       given_move > 0 ? given_move : std::min(most_deviations * noise, caution.max_move);
   const double least = least_noise * spacing;
-  const AutomaticInput input{points, normals, std::max(noise, least), spacing, max_move, parts};
+  const AutomaticInput input{set.points, set.normals, std::max(noise, least),
+                             spacing,    max_move,    parts};
   const Execution part = sub_execution(execution, "denoise", 0.25, 1);
   AutomaticResult result;
   if (levels.sigma.empty()) {
@@ -158,11 +146,30 @@ void run_automatic(const AutoOptions& options, const AutomaticParts& parts, cons
   report.noise = set.length(found);
   report.max_move = set.length(max_move);
   report.kept_normals = result.kept_normals;
-  for (std::size_t at = 0; at < kept.size(); ++at) {
-    state.points[kept[at]] = result.points[at];
-    state.normals[kept[at]] = result.normals[at];
-    state.labels[kept[at]] = result.labels[at];
+  return result;
+}
+
+/// The same, where outliers are looked for first and stay where they are.
+State run_automatic(const AutoOptions& options, const AutomaticParts& parts, WorkingSet& set,
+                    std::vector<std::uint8_t>& outliers, Report& report, StageClock& clock,
+                    const Execution& execution) {
+  if (options.outliers != OutlierAction::Keep) {
+    outliers = clock.time("outliers", [&] {
+      return find_outliers_of_distinct(set.points, {},
+                                       sub_execution(execution, "outliers", 0.02, 0.15));
+    });
   }
+  std::vector<Vec3> left_out = take_out(set.points, outliers);
+  if (!set.normals.empty()) (void)take_out(set.normals, outliers);
+  std::optional<AutomaticResult> result =
+      run_on_surface(options, parts, set, report, clock, execution);
+  put_back(set.points, left_out, outliers);
+  if (!result) return State::of(set);
+  const std::size_t some = left_out.size();
+  put_back(result->points, std::move(left_out), outliers);
+  put_back(result->normals, std::vector<Vec3>(some), outliers);
+  put_back(result->labels, std::vector<Feature>(some, Feature::Isolated), outliers);
+  return {std::move(result->points), std::move(result->normals), std::move(result->labels)};
 }
 
 /// Puts what was found into the order of the cloud.
@@ -170,6 +177,9 @@ void fill_result(const WorkingSet& set, const State& state, std::span<const std:
                  DenoiseResult& result, const Execution& execution) {
   PointCloud& cloud = result.cloud;
   cloud.normals.resize(cloud.size());
+  result.labels.assign(cloud.size(), Feature::Isolated);
+  result.displacement.assign(cloud.size(), 0.0);
+  result.outliers.assign(cloud.size(), 0);
   parallel_for(cloud.size(), without_progress(execution), [&](std::size_t i) {
     const std::uint32_t slot = set.slot[i];
     if (slot == WorkingSet::none) return;
@@ -188,12 +198,11 @@ void fill_result(const WorkingSet& set, const State& state, std::span<const std:
 
 }  // namespace
 
-DenoiseResult denoise(const PointCloud& cloud, const DenoiseOptions& options,
-                      const Execution& execution) {
-  return denoise_with({}, cloud, options, execution);
+DenoiseResult denoise(PointCloud cloud, const DenoiseOptions& options, const Execution& execution) {
+  return denoise_with({}, std::move(cloud), options, execution);
 }
 
-DenoiseResult denoise_with(const AutomaticParts& parts, const PointCloud& cloud,
+DenoiseResult denoise_with(const AutomaticParts& parts, PointCloud cloud,
                            const DenoiseOptions& options, const Execution& execution) {
   validate(options);
   (void)thread_count(execution);
@@ -206,31 +215,27 @@ DenoiseResult denoise_with(const AutomaticParts& parts, const PointCloud& cloud,
   const bool keep_normals = has_normals && options.normals != NormalSource::Estimate;
 
   DenoiseResult result;
-  result.cloud = cloud;
-  result.labels.assign(cloud.size(), Feature::Isolated);
-  result.displacement.assign(cloud.size(), 0.0);
-  result.outliers.assign(cloud.size(), 0);
+  result.cloud = std::move(cloud);
   Report& report = result.report;
-  report.points = cloud.size();
+  report.points = result.cloud.size();
   StageClock clock(execution);
 
-  const WorkingSet set = clock.time("order", [&] {
+  WorkingSet set = clock.time("order", [&] {
     // The published method keeps duplicates, and the unit of the input matters to it.
-    return make_working_set(cloud,
-                            {.merge_duplicates = !published, .local_coordinates = !published},
-                            sub_execution(execution, "order", 0, 0.02));
+    const WorkingSetOptions how{
+        .merge_duplicates = !published, .local_coordinates = !published, .sweep = published};
+    return make_working_set(result.cloud, how, sub_execution(execution, "order", 0, 0.02));
   });
+  if (!keep_normals) set.normals = {};
   report.non_finite = set.non_finite;
   report.duplicates = set.duplicates;
-  State state{set.points, set.normals, {}};
-  state.normals.resize(set.points.size());
-  state.labels.assign(set.points.size(), Feature::Isolated);
+  State state;
   std::vector<std::uint8_t> outliers(set.points.size(), 0);
   if (published) {
+    state = State::of(set);
     run_yadav2018(options.yadav2018, set, keep_normals, state, report, clock, execution);
   } else {
-    run_automatic(options.automatic, parts, set, keep_normals, state, outliers, report, clock,
-                  execution);
+    state = run_automatic(options.automatic, parts, set, outliers, report, clock, execution);
   }
   fill_result(set, state, outliers, result, execution);
   for (const Feature label : result.labels) ++report.labels[static_cast<std::size_t>(label)];

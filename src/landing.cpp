@@ -3,6 +3,7 @@
 #include "landing.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "corners.hpp"
 #include "crease.hpp"
@@ -38,15 +39,15 @@ struct Block {
 /// One landing of all points.
 class Lander {
  public:
-  Lander(const AutomaticInput& input, const NodeLevels& levels, const SheetSet& set,
+  Lander(const AutomaticInput& input, const FittedNodes& nodes, const SheetSet& set,
          const SheetsAround& around)
       : input_(input),
-        levels_(levels),
+        nodes_(nodes),
         set_(set),
         sheets_(set.sheets()),
         by_edge_(around.by_edge),
         blended_(std::clamp(around_nodes / around.step, fewest_sheets, most_sheets_around)),
-        scales_{input.noise, levels.spacing()},
+        scales_{input.noise, nodes.spacing},
         finder_(set.sheets(), scales_, input.spacing) {}
 
   /// Buffers of one thread.
@@ -60,7 +61,7 @@ class Lander {
   Landing land(std::size_t i, const Vec3& place, const Vec3& normal, Scratch& scratch) const {
     const Vec3& point = input_.points[i];
     auto& near = scratch.near;
-    const std::uint32_t node = levels_.nodes(0).of[i];
+    const std::uint32_t node = nodes_.of[i];
     if (!by_edge_.empty() && by_edge_[node] != 0) {
       scratch.of_all.find(set_.all(), place, edge_sheets, near);
     } else {
@@ -89,7 +90,7 @@ class Lander {
   }
 
   const AutomaticInput& input_;
-  const NodeLevels& levels_;
+  const FittedNodes& nodes_;
   const SheetSet& set_;
   std::span<const Sheet> sheets_;
   std::span<const std::uint8_t> by_edge_;
@@ -120,20 +121,26 @@ void share_out(std::uint32_t i, const Landing& landing, bool whole, Shares& shar
   }
 }
 
-}  // namespace
-
-Shares land(const AutomaticInput& input, const NodeLevels& levels, const NodeSheets& sheets,
-            const SheetsAround& around, AutomaticResult& result, const Execution& execution) {
+/// Every point as a whole where it was measured, until it lands.
+void make_room(const AutomaticInput& input, Shares& shares) {
   const std::size_t count = input.points.size();
-  Shares shares;
   shares.measured.assign(input.points.begin(), input.points.end());
   shares.places.resize(count);
   shares.normals.resize(count);
   shares.trust.resize(count);
   shares.by_edge.resize(count);
+}
+
+}  // namespace
+
+void land(const AutomaticInput& input, const FittedNodes& nodes, NodeSheets sheets,
+          const SheetsAround& around, AutomaticResult& result, Shares* shares,
+          const Execution& execution) {
+  const std::size_t count = input.points.size();
+  if (shares != nullptr) make_room(input, *shares);
   std::vector<Block> blocks((count + block_size - 1) / block_size);
-  const SheetSet set(sheets, levels.nodes(0).size(), execution);
-  const Lander lander(input, levels, set, around);
+  const SheetSet set(std::move(sheets), nodes.count, execution);
+  const Lander lander(input, nodes, set, around);
   parallel_blocks(count, execution, [&](std::size_t begin, std::size_t end) {
     Lander::Scratch scratch;
     scratch.of_even.expect(Points(result.points).subspan(begin, end - begin));
@@ -148,22 +155,21 @@ Shares land(const AutomaticInput& input, const NodeLevels& levels, const NodeShe
       if (landing.label != Feature::Surface) {
         block.edges.push_back({point, landing.sheets, landing.sheet_count});
       }
-      share_out(point, landing, !input.parts.shares, shares, block);
+      if (shares != nullptr) share_out(point, landing, !input.parts.shares, *shares, block);
     }
   });
   std::vector<EdgePoint> edges;
   for (const Block& block : blocks) {
     for (const Other& other : block.others) {
-      shares.measured.push_back(input.points[other.point]);
-      shares.places.push_back(other.sheet.foot);
-      shares.normals.push_back(other.sheet.normal);
-      shares.trust.push_back(other.sheet.share);
-      shares.by_edge.push_back(1);
+      shares->measured.push_back(input.points[other.point]);
+      shares->places.push_back(other.sheet.foot);
+      shares->normals.push_back(other.sheet.normal);
+      shares->trust.push_back(other.sheet.share);
+      shares->by_edge.push_back(1);
     }
     edges.insert(edges.end(), block.edges.begin(), block.edges.end());
   }
   label_corners(edges, result.points, input.spacing, result.labels, execution);
-  return shares;
 }
 
 }  // namespace deburr

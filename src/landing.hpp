@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "automatic.hpp"
-#include "node_levels.hpp"
 #include "sheet_set.hpp"
 
 namespace deburr {
@@ -30,11 +29,18 @@ struct SheetsAround {
   std::span<const std::uint8_t> by_edge;
 };
 
+/// The nodes of level 0 that sheets were fitted to.
+struct FittedNodes {
+  std::vector<std::uint32_t> of;  ///< the node of each point of the input
+  std::size_t count = 0;
+  double spacing = 0;
+};
+
 /// Lands every point on the sheets around it: sets its place, its normal and its label.
-/// @param levels  nodes that the points of the input were put into first, in their order
-/// @param sheets  of nodes of level 0
 /// @param result  with the places so far; a point that nothing was fitted around keeps its own
-Shares land(const AutomaticInput& input, const NodeLevels& levels, const NodeSheets& sheets,
-            const SheetsAround& around, AutomaticResult& result, const Execution& execution);
+/// @param shares  if wanted: on which sheets each point may be
+void land(const AutomaticInput& input, const FittedNodes& nodes, NodeSheets sheets,
+          const SheetsAround& around, AutomaticResult& result, Shares* shares,
+          const Execution& execution);
 
 }  // namespace deburr

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "node_fits.hpp"
 
+#include <algorithm>
+
 #include "parallel.hpp"
-#include "scale_choice.hpp"
+#include "sheet_fit.hpp"
 
 namespace deburr {
 namespace {
@@ -15,28 +17,70 @@ constexpr std::size_t all_scales_step = 2;
 /// A node by an edge takes the scale chosen for one close to it, if that is of the same face.
 constexpr double same_face = 0.7;
 
-/// Calls fit(node, scratch) for every node; the valid sheets, in the order of the nodes.
-template <typename Fit>
+/// Takes out the sheets of nodes that nothing could be fitted to.
+void keep_valid(NodeSheets& all) {
+  std::size_t kept = 0;
+  std::size_t even = 0;
+  for (std::size_t k = 0; k < all.sheets.size(); ++k) {
+    if (!all.sheets[k].valid) continue;
+    if (k < all.even) ++even;
+    all.nodes[kept] = all.nodes[k];
+    all.sheets[kept++] = all.sheets[k];
+  }
+  all.sheets.resize(kept);
+  all.nodes.resize(kept);
+  all.even = even;
+}
+
+/// Fits one of every `even_step` nodes, and then further ones.
+/// @param further  ascending
+/// @param fit_of_block  takes the first node of a block and the one after its last, and returns
+///                      what fits a node of it, in their order, given it and the buffers
+template <typename FitOfBlock>
 NodeSheets fit_each(const SheetFitter& fitter, std::size_t nodes, std::size_t even_step,
-                    const Execution& execution, const Fit& fit) {
-  std::vector<NodeSheets> blocks((nodes + block_size - 1) / block_size);
+                    const std::vector<std::uint32_t>& further, const Execution& execution,
+                    const FitOfBlock& fit_of_block) {
+  NodeSheets all;
+  all.even = (nodes + even_step - 1) / even_step;
+  all.nodes.reserve(all.even + further.size());
+  for (std::size_t i = 0; i < nodes; i += even_step) {
+    all.nodes.push_back(static_cast<std::uint32_t>(i));
+  }
+  all.nodes.insert(all.nodes.end(), further.begin(), further.end());
+  all.sheets.resize(all.nodes.size());
   parallel_blocks(nodes, execution, [&](std::size_t begin, std::size_t end) {
     SheetFitter::Scratch scratch;
     fitter.expect(begin, end, scratch);
-    NodeSheets& block = blocks[begin / block_size];
+    auto fit = fit_of_block(begin, end);
+    std::size_t even = (begin + even_step - 1) / even_step;
+    auto next =
+        static_cast<std::size_t>(std::ranges::lower_bound(further, begin) - further.begin());
+    // In their order in space: the search for one helps that for the next.
     for (std::size_t i = begin; i < end; ++i) {
       const auto node = static_cast<std::uint32_t>(i);
-      const Sheet sheet = fit(node, scratch);
-      if (sheet.valid) (i % even_step == 0 ? block.even : block.further).push_back({node, sheet});
+      if (i % even_step == 0) {
+        all.sheets[even++] = fit(node, scratch);
+      } else if (next < further.size() && further[next] == node) {
+        all.sheets[all.even + next++] = fit(node, scratch);
+      }
     }
   });
-  NodeSheets all;
-  for (NodeSheets& block : blocks) {
-    all.even.insert(all.even.end(), block.even.begin(), block.even.end());
-    all.further.insert(all.further.end(), block.further.begin(), block.further.end());
-    block = {};
-  }
+  keep_valid(all);
   return all;
+}
+
+/// The nodes that a choice of so many leaves out, but that are to be fitted as they are by edges.
+std::vector<std::uint32_t> further_nodes(const SurfaceNodes& nodes,
+                                         std::span<const std::uint8_t> by_edge,
+                                         const FitSteps& steps) {
+  std::vector<std::uint32_t> further;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (by_edge[i] == 0 || i % steps.even == 0 || i % steps.edges != 0) continue;
+    const Vec3& chosen = nodes.normals[i - i % steps.even];
+    if (dot(nodes.normals[i], chosen) >= same_face)
+      further.push_back(static_cast<std::uint32_t>(i));
+  }
+  return further;
 }
 
 }  // namespace
@@ -55,48 +99,51 @@ Survey survey_nodes(const NodeLevels& levels, double noise, std::size_t step,
   const SheetFitter fitter(levels, noise, parts);
   const std::size_t all_scales = all_scales_step * step;
   Survey survey;
-  survey.places.resize((nodes.size() + all_scales - 1) / all_scales);
-  survey.fits.resize(survey.places.size());
-  survey.curves.resize(survey.places.size());
+  ScaleSurvey& scales = survey.scales;
+  for (std::size_t level = 0; level < node_levels; ++level) {
+    scales.merged[level] = levels.merged(level);
+  }
+  scales.places.resize((nodes.size() + all_scales - 1) / all_scales);
+  scales.normals.resize(scales.places.size());
+  scales.curves.resize(scales.places.size());
   ScaleChoice small;
   small.scale = level_scales - 1;
   small.noise = noise;
   small.curvature.fill(-1);
-  survey.sheets = fit_each(fitter, nodes.size(), step, execution,
-                           [&](std::uint32_t i, SheetFitter::Scratch& scratch) -> Sheet {
-                             if (i % step != 0) return {};
-                             if (i % all_scales != 0) return fitter.fit(i, scratch, small);
-                             const std::size_t at = i / all_scales;
-                             survey.places[at] = nodes.places[i];
-                             survey.fits[at] = fitter.survey(i, scratch, survey.curves[at]);
-                             return survey.fits[at];
-                           });
+  const auto fit = [&](std::uint32_t i, SheetFitter::Scratch& scratch) {
+    if (i % all_scales != 0) return fitter.fit(i, scratch, small);
+    const std::size_t at = i / all_scales;
+    const Sheet sheet = fitter.survey(i, scratch, scales.curves[at]);
+    scales.places[at] = nodes.places[i];
+    scales.normals[at] = sheet.frame.w;
+    return sheet;
+  };
+  survey.sheets = fit_each(fitter, nodes.size(), step, {}, execution,
+                           [&](std::size_t, std::size_t) { return fit; });
   return survey;
 }
 
-NodeSheets fit_nodes(const NodeLevels& first, const Survey& survey, const NodeLevels& second,
+NodeSheets fit_nodes(const ScaleSurvey& survey, const NodeLevels& levels,
                      std::span<const std::uint8_t> by_edge, double noise, const FitSteps& steps,
                      const AutomaticParts& parts, const Execution& execution) {
-  const SurfaceNodes& nodes = second.nodes(0);
-  std::vector<Vec3> places;
-  std::vector<Vec3> normals;
-  for (std::size_t i = 0; i < nodes.size(); i += steps.even) {
-    places.push_back(nodes.places[i]);
-    normals.push_back(nodes.normals[i]);
-  }
-  const std::vector<ScaleChoice> choices =
-      choose_scales(KdTree(survey.places, execution), survey.fits, survey.curves, places, normals,
-                    noise, first, sub_execution(execution, "fits", 0, 0.2), parts);
-  const SheetFitter fitter(second, noise, parts);
-  return fit_each(fitter, nodes.size(), steps.even, sub_execution(execution, "fits", 0.2, 1),
-                  [&](std::uint32_t i, SheetFitter::Scratch& scratch) -> Sheet {
-                    const std::size_t even = i / steps.even;
-                    const bool chosen = i % steps.even == 0;
-                    const bool further = by_edge[i] != 0 && i % steps.edges == 0 &&
-                                         dot(nodes.normals[i], normals[even]) >= same_face;
-                    if (!chosen && !further) return {};
-                    return fitter.fit(i, scratch, choices[even]);
-                  });
+  const SurfaceNodes& nodes = levels.nodes(0);
+  const ScaleChooser chooser(survey, noise, parts, execution);
+  const SheetFitter fitter(levels, noise, parts);
+  const auto fit_of_block = [&](std::size_t begin, std::size_t end) {
+    const std::size_t first = begin / steps.even;
+    std::vector<Vec3> places;
+    std::vector<Vec3> normals;
+    for (std::size_t i = first * steps.even; i < end; i += steps.even) {
+      places.push_back(nodes.places[i]);
+      normals.push_back(nodes.normals[i]);
+    }
+    return [&, first, choices = chooser.choose(places, normals)](std::uint32_t i,
+                                                                 SheetFitter::Scratch& scratch) {
+      return fitter.fit(i, scratch, choices[i / steps.even - first]);
+    };
+  };
+  return fit_each(fitter, nodes.size(), steps.even, further_nodes(nodes, by_edge, steps), execution,
+                  fit_of_block);
 }
 
 }  // namespace deburr

@@ -9,7 +9,7 @@
 
 #include "automatic.hpp"
 #include "node_levels.hpp"
-#include "sheet_fit.hpp"
+#include "scale_choice.hpp"
 #include "sheet_set.hpp"
 
 namespace deburr {
@@ -25,22 +25,19 @@ struct FitSteps {
 /// @param ratio  standard deviation of the noise, in spacings of the nodes
 FitSteps fit_steps(double ratio, const AutomaticParts& parts);
 
-/// What the fits of the first pass tell.
+/// The fits of the first pass.
 struct Survey {
   NodeSheets sheets;
-  /// Of the nodes that were fitted at all scales.
-  std::vector<Vec3> places;
-  std::vector<Sheet> fits;
-  std::vector<ScaleCurve> curves;
+  ScaleSurvey scales;
 };
 
 /// Fits one of every `step` nodes at small scales, and some of these at all.
 Survey survey_nodes(const NodeLevels& levels, double noise, std::size_t step,
                     const AutomaticParts& parts, const Execution& execution);
 
-/// Fits nodes at the scales that the survey of `first` makes best.
+/// Fits nodes at the scales that the survey of the nodes of the first pass makes best.
 /// @param by_edge  of each node, whether it is to be fitted as one by an edge
-NodeSheets fit_nodes(const NodeLevels& first, const Survey& survey, const NodeLevels& second,
+NodeSheets fit_nodes(const ScaleSurvey& survey, const NodeLevels& levels,
                      std::span<const std::uint8_t> by_edge, double noise, const FitSteps& steps,
                      const AutomaticParts& parts, const Execution& execution);
 

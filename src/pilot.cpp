@@ -70,9 +70,11 @@ std::vector<Vec3> first_normals(Points points, Normals given, double ratio,
 
 Pilot find_pilot(const AutomaticInput& input, const Execution& execution) {
   const bool merge = is_merged(input);
-  const SurfaceNodes nodes = merge ? merge_into_cells(input.points, input.points, {}, {}, {},
-                                                      input.noise + input.spacing, 1, execution)
-                                   : nodes_of_points(input.points, input.points, {});
+  const SurfaceNodes nodes = merge
+                                 ? merge_into_cells(input.points, input.points, {}, {}, {},
+                                                    input.noise + input.spacing, 1, execution)
+                                 : nodes_of_points({input.points.begin(), input.points.end()},
+                                                   {input.points.begin(), input.points.end()}, {});
   const double spacing = input.spacing * std::sqrt(static_cast<double>(input.points.size()) /
                                                    static_cast<double>(nodes.size()));
   // Given normals are of single points, and their signs may be at odds.

@@ -13,6 +13,12 @@ struct State {
   std::vector<Vec3> points;
   std::vector<Vec3> normals;
   std::vector<Feature> labels;
+
+  /// Every point where it was, of no surface.
+  static State of(const WorkingSet& set) {
+    const std::size_t n = set.points.size();
+    return {set.points, std::vector<Vec3>(n), std::vector<Feature>(n, Feature::Isolated)};
+  }
 };
 
 /// The rounds of the published method: filter the normals, classify the points, move them.

@@ -3,10 +3,11 @@
 #include "scale_choice.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <span>
 
 #include "nearest_beside.hpp"
-#include "parallel.hpp"
 
 namespace deburr {
 namespace {
@@ -85,55 +86,57 @@ std::array<double, sheet_scales> excess_of_cloud(std::span<const ScaleCurve> cur
 
 }  // namespace
 
-std::vector<ScaleChoice> choose_scales(const KdTree& tree, std::span<const Sheet> sheets,
-                                       std::span<const ScaleCurve> curves, Points places,
-                                       Normals normals, double noise, const NodeLevels& levels,
-                                       const Execution& execution, const AutomaticParts& parts) {
-  const std::array<double, sheet_scales> of_cloud = excess_of_cloud(curves);
-  const std::size_t pooled = parts.pool ? pooled_nodes : 1;
-  const double by_chance = parts.pool && parts.cloud_misfit ? chance : 0;
+ScaleChooser::ScaleChooser(const ScaleSurvey& survey, double noise, const AutomaticParts& parts,
+                           const Execution& execution)
+    : survey_(survey),
+      noise_(noise),
+      parts_(parts),
+      tree_(survey.places, execution),
+      of_cloud_(excess_of_cloud(survey.curves)) {}
+
+std::vector<ScaleChoice> ScaleChooser::choose(Points places, Normals normals) const {
+  const std::size_t pooled = parts_.pool ? pooled_nodes : 1;
+  const double by_chance = parts_.pool && parts_.cloud_misfit ? chance : 0;
   std::vector<ScaleChoice> choices(places.size());
-  parallel_blocks(places.size(), execution, [&](std::size_t begin, std::size_t end) {
-    NearestBeside nearest;
-    nearest.expect(places.subspan(begin, end - begin));
-    std::vector<Found> found;
-    for (std::size_t i = begin; i < end; ++i) {
-      nearest.find(tree, places[i], pooled, found);
-      Pool pool;
-      for (const Found& f : found) {
-        if (dot(sheets[f.index].frame.w, normals[i]) >= same_side) {
-          pool.add(curves[f.index], most_residual);
-        }
-      }
-      ScaleChoice& choice = choices[i];
-      const double reference = pool.reference(reference_freedom);
-      choice.noise = noise;
-      if (parts.local_sigma) {
-        choice.noise *= std::clamp(std::sqrt(reference), least_noise, most_noise);
-      }
-      choice.curvature.fill(-1);
-      const double most = *std::ranges::max_element(pool.count);
-      double least = std::numeric_limits<double>::infinity();
-      for (std::size_t s = 0; s < sheet_scales; ++s) {
-        if (pool.count[s] > 0) {
-          choice.curvature[s] = static_cast<float>(pool.curvature[s] / pool.count[s] / reference);
-        }
-        if (pool.count[s] < 0.5 * most || pool.count[s] == 0) continue;
-        const double difference = pool.excess(s, reference) - of_cloud[s];
-        const double significant =
-            std::max(difference - by_chance, 0.0) + std::min(difference + by_chance, 0.0);
-        const std::size_t level = s / level_scales;
-        const double free = level > 0 ? free_coarse_excess : free_excess;
-        const double misfit =
-            std::max(0.0, of_cloud[s] + significant - free) / levels.merged(level);
-        const double risk = misfit_weight * misfit + pool.variance[s] / pool.count[s];
-        if (risk < least) {
-          least = risk;
-          choice.scale = s;
-        }
+  NearestBeside nearest;
+  nearest.expect(places);
+  std::vector<Found> found;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    nearest.find(tree_, places[i], pooled, found);
+    Pool pool;
+    for (const Found& f : found) {
+      if (dot(survey_.normals[f.index], normals[i]) >= same_side) {
+        pool.add(survey_.curves[f.index], most_residual);
       }
     }
-  });
+    ScaleChoice& choice = choices[i];
+    const double reference = pool.reference(reference_freedom);
+    choice.noise = noise_;
+    if (parts_.local_sigma) {
+      choice.noise *= std::clamp(std::sqrt(reference), least_noise, most_noise);
+    }
+    choice.curvature.fill(-1);
+    const double most = *std::ranges::max_element(pool.count);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t s = 0; s < sheet_scales; ++s) {
+      if (pool.count[s] > 0) {
+        choice.curvature[s] = static_cast<float>(pool.curvature[s] / pool.count[s] / reference);
+      }
+      if (pool.count[s] < 0.5 * most || pool.count[s] == 0) continue;
+      const double difference = pool.excess(s, reference) - of_cloud_[s];
+      const double significant =
+          std::max(difference - by_chance, 0.0) + std::min(difference + by_chance, 0.0);
+      const std::size_t level = s / level_scales;
+      const double free = level > 0 ? free_coarse_excess : free_excess;
+      const double misfit =
+          std::max(0.0, of_cloud_[s] + significant - free) / survey_.merged[level];
+      const double risk = misfit_weight * misfit + pool.variance[s] / pool.count[s];
+      if (risk < least) {
+        least = risk;
+        choice.scale = s;
+      }
+    }
+  }
   return choices;
 }
 

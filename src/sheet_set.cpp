@@ -2,34 +2,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sheet_set.hpp"
 
+#include <utility>
+
 namespace deburr {
 namespace {
 
-std::vector<Vec3> places_of(const NodeSheets& fitted) {
+std::vector<Vec3> places_of(std::span<const Sheet> sheets) {
   std::vector<Vec3> places;
-  places.reserve(fitted.even.size() + fitted.further.size());
-  for (const NodeSheet& s : fitted.even) places.push_back(s.sheet.frame.origin);
-  for (const NodeSheet& s : fitted.further) places.push_back(s.sheet.frame.origin);
+  places.reserve(sheets.size());
+  for (const Sheet& sheet : sheets) places.push_back(sheet.frame.origin);
   return places;
 }
 
 }  // namespace
 
-SheetSet::SheetSet(const NodeSheets& fitted, std::size_t nodes, const Execution& execution)
-    : of_(nodes, none),
-      places_(places_of(fitted)),
-      even_(std::span(places_).first(fitted.even.size()), execution),
+SheetSet::SheetSet(NodeSheets fitted, std::size_t nodes, const Execution& execution)
+    : sheets_(std::move(fitted.sheets)),
+      of_(nodes, none),
+      places_(places_of(sheets_)),
+      even_(std::span(places_).first(fitted.even), execution),
       // Without further sheets that would be the same tree again.
-      all_(fitted.further.empty() ? Points{} : Points(places_), execution) {
-  sheets_.reserve(places_.size());
-  const auto add = [&](const std::vector<NodeSheet>& sheets) {
-    for (const NodeSheet& s : sheets) {
-      of_[s.node] = static_cast<std::uint32_t>(sheets_.size());
-      sheets_.push_back(s.sheet);
-    }
-  };
-  add(fitted.even);
-  add(fitted.further);
+      all_(fitted.even == sheets_.size() ? Points{} : Points(places_), execution) {
+  for (std::uint32_t k = 0; k < fitted.nodes.size(); ++k) of_[fitted.nodes[k]] = k;
 }
 
 }  // namespace deburr

@@ -12,15 +12,11 @@
 
 namespace deburr {
 
-/// The sheet that was fitted to a node.
-struct NodeSheet {
-  std::uint32_t node;
-  Sheet sheet;
-};
-
-/// Valid sheets of an even choice of the nodes, and of further ones by edges.
+/// Valid sheets of an even choice of the nodes, and then of further ones by edges.
 struct NodeSheets {
-  std::vector<NodeSheet> even, further;
+  std::vector<Sheet> sheets;
+  std::vector<std::uint32_t> nodes;  ///< that each is of, ascending in both parts
+  std::size_t even = 0;              ///< sheets of the even choice
 };
 
 /// The sheets that points land on. Fits of neighbouring nodes share most of their points, so away
@@ -30,7 +26,7 @@ class SheetSet {
   static constexpr std::uint32_t none = KdTree::no_point;
 
   /// @param nodes  number of all nodes
-  SheetSet(const NodeSheets& fitted, std::size_t nodes, const Execution& execution = {});
+  SheetSet(NodeSheets fitted, std::size_t nodes, const Execution& execution = {});
 
   // The trees look at the places: a copy would look at those of another.
   SheetSet(const SheetSet&) = delete;

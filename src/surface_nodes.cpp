@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "box.hpp"
 #include "parallel.hpp"
@@ -50,16 +51,16 @@ std::uint32_t part_of(const Vec3& n, std::uint32_t bins) {
 
 }  // namespace
 
-SurfaceNodes nodes_of_points(Points measured, Points places, Normals normals,
-                             std::span<const double> trust) {
+SurfaceNodes nodes_of_points(std::vector<Vec3> measured, std::vector<Vec3> places,
+                             std::vector<Vec3> normals, std::vector<double> trust) {
   SurfaceNodes nodes;
-  nodes.measured.assign(measured.begin(), measured.end());
-  nodes.places.assign(places.begin(), places.end());
-  nodes.normals.assign(normals.begin(), normals.end());
-  nodes.weights.assign(measured.size(), 1.0);
-  nodes.trust.assign(trust.begin(), trust.end());
-  nodes.trust.resize(measured.size(), 1.0);
-  nodes.of.resize(measured.size());
+  nodes.measured = std::move(measured);
+  nodes.places = std::move(places);
+  nodes.normals = std::move(normals);
+  nodes.trust = std::move(trust);
+  nodes.trust.resize(nodes.size(), 1.0);
+  nodes.weights.assign(nodes.size(), 1.0);
+  nodes.of.resize(nodes.size());
   std::iota(nodes.of.begin(), nodes.of.end(), 0U);
   return nodes;
 }

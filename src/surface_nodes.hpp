@@ -26,8 +26,8 @@ struct SurfaceNodes {
 
 /// Every point as a node of its own.
 /// @param trust  empty for 1 each
-SurfaceNodes nodes_of_points(Points measured, Points places, Normals normals,
-                             std::span<const double> trust = {});
+SurfaceNodes nodes_of_points(std::vector<Vec3> measured, std::vector<Vec3> places,
+                             std::vector<Vec3> normals, std::vector<double> trust = {});
 
 /// Merges what lies in one cell of a grid and has normals of the same part of the sphere: those
 /// with the same largest component and sign, cut into bins x bins parts. The grid is measured off

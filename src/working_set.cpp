@@ -142,7 +142,6 @@ WorkingSet set_of_distinct(std::vector<Vec3> points) {
   set.points = std::move(points);
   set.slot.resize(set.points.size());
   std::iota(set.slot.begin(), set.slot.end(), 0U);
-  set.sweep = set.slot;
   return set;
 }
 
@@ -158,8 +157,10 @@ WorkingSet make_working_set(const PointCloud& cloud, const WorkingSetOptions& op
     // In local coordinates, where no square overflows.
     if (options.merge_duplicates) merge_near_duplicates(set, execution);
   }
-  set.sweep.reserve(finite.size());
-  for (const std::uint32_t i : finite) set.sweep.push_back(set.slot[i]);
+  if (options.sweep) {
+    set.sweep.reserve(finite.size());
+    for (const std::uint32_t i : finite) set.sweep.push_back(set.slot[i]);
+  }
   check_cancelled(execution);
   return set;
 }

@@ -16,6 +16,7 @@ struct WorkingSetOptions {
   /// Points at the same place become one; in local coordinates those nearly there as well.
   bool merge_duplicates = true;
   bool local_coordinates = true;  ///< about the middle of the cloud, its half extent in [1, 2)
+  bool sweep = false;             ///< whether the order of the cloud is wanted
 };
 
 /// The points of a cloud that can be worked on, in spatial order, so that neither the order of the
@@ -26,7 +27,7 @@ struct WorkingSet {
   std::vector<Vec3> points;
   std::vector<Vec3> normals;         ///< as given, unit or zero; empty where the cloud has none
   std::vector<std::uint32_t> slot;   ///< where each point of the cloud is in `points`, or none
-  std::vector<std::uint32_t> sweep;  ///< indices into `points` in the order of the cloud
+  std::vector<std::uint32_t> sweep;  ///< if wanted: `points` in the order of the cloud
   std::size_t non_finite = 0;
   std::size_t duplicates = 0;
   int exponent = 0;  ///< local lengths times 2^exponent are lengths of the cloud

@@ -123,7 +123,8 @@ struct DenoiseResult {
 /// Normals of the cloud that are zero or not finite are estimated (Method::Yadav2018 leaves such
 /// points alone). Points that are not finite, or have nothing near them to be compared with, stay
 /// as they are to the last bit and are labelled isolated, and so are outliers. A cloud of fewer
-/// than 16 distinct points (4 by Method::Yadav2018) comes back unchanged.
+/// than 16 distinct points (4 by Method::Yadav2018) comes back unchanged. Whoever has no more use
+/// for the cloud saves a copy of it with std::move().
 ///
 /// Source: Yadav, Reitebuch, Skrodzki, Zimmermann, Polthier, Constraint-based point set denoising
 /// using normal voting tensor and restricted quadratic error metrics, Computers & Graphics 74,
@@ -134,7 +135,7 @@ struct DenoiseResult {
 ///                    for any memory, or distances too
 ///                    large for a double (only by Method::Yadav2018)
 /// @throws Cancelled  when execution.cancelled says so
-[[nodiscard]] DenoiseResult denoise(const PointCloud& cloud, const DenoiseOptions& options = {},
+[[nodiscard]] DenoiseResult denoise(PointCloud cloud, const DenoiseOptions& options = {},
                                     const Execution& execution = {});
 
 }  // namespace deburr
