@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The deburr authors
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -92,10 +95,20 @@ int guarded_run(int argc, const char* const* argv) {
   }
 }
 
+/// The C library keeps what is freed for itself, since it is quickest, and a quarter of the memory
+/// of a run with it. Columns are large, so that of theirs can go back to the system each time.
+void give_memory_back() {
+#ifdef __GLIBC__
+  constexpr int large = 1 << 18;  // bytes
+  (void)mallopt(M_MMAP_THRESHOLD, large);
+#endif
+}
+
 }  // namespace
 }  // namespace deburr::cli
 
 int main(int argc, char** argv) {
+  deburr::cli::give_memory_back();
   // A closed pipe, or a file beyond the size allowed, is then an error of the write, told like any
   // other.
   (void)std::signal(SIGPIPE, SIG_IGN);

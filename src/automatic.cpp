@@ -57,19 +57,27 @@ struct Fitted {
 };
 
 /// Fits the points where the pilot has them, to learn how fits fare.
-Fitted survey_points(const AutomaticInput& input, const AutomaticResult& pilot, ScaleSurvey& scales,
+Fitted survey_points(const AutomaticInput& input, AutomaticResult& pilot, ScaleSurvey& scales,
                      const Execution& execution) {
-  SurfaceNodes nodes = make_nodes(input, {input.points.begin(), input.points.end()}, pilot.points,
-                                  pilot.normals, {}, execution);
+  // Nodes that are points have the very same places and normals.
+  const bool lent = !is_dense(input);
+  SurfaceNodes nodes = make_nodes(input, {input.points.begin(), input.points.end()},
+                                  lent ? std::move(pilot.points) : pilot.points,
+                                  lent ? std::move(pilot.normals) : pilot.normals, {}, execution);
   Fitted fitted{describe(input, input.points.size(), nodes), {}, {}};
   const double spacing = fitted.nodes.spacing;
-  const NodeLevels levels(std::move(nodes), spacing, input.noise,
-                          sub_execution(execution, "fits", 0, 0.1));
+  NodeLevels levels(std::move(nodes), spacing, input.noise,
+                    sub_execution(execution, "fits", 0, 0.1));
   fitted.steps = fit_steps(input.noise / spacing, input.parts);
   Survey survey = survey_nodes(levels, input.noise, fitted.steps.survey, input.parts,
                                sub_execution(execution, "fits", 0.1, 1));
   fitted.sheets = std::move(survey.sheets);
   scales = std::move(survey.scales);
+  if (lent) {
+    nodes = std::move(levels).take_nodes();
+    pilot.points = std::move(nodes.places);
+    pilot.normals = std::move(nodes.normals);
+  }
   return fitted;
 }
 

@@ -10,9 +10,9 @@
 namespace deburr {
 namespace {
 
-/// Of the nodes that are fitted in the first pass, one of so many is at all scales: what these tell
-/// is pooled over many nodes.
-constexpr std::size_t all_scales_step = 2;
+/// One of so many nodes is fitted at all scales in the first pass: what these tell is pooled over
+/// many of them. A multiple of any step of that pass.
+constexpr std::size_t all_scales = 6;
 
 /// A node by an edge takes the scale chosen for one close to it, if that is of the same face.
 constexpr double same_face = 0.7;
@@ -88,7 +88,7 @@ std::vector<std::uint32_t> further_nodes(const SurfaceNodes& nodes,
 FitSteps fit_steps(double ratio, const AutomaticParts& parts) {
   // Who leaves out what takes the place of a missing sheet needs that of every node.
   if (!parts.surer_sheet || !parts.blend) return {1, 1, 1};
-  if (ratio < 0.35) return {1, 1, 1};
+  if (ratio < 0.35) return {2, 1, 1};
   if (ratio < 0.6) return {2, 2, 1};
   return {3, 8, 2};
 }
@@ -97,7 +97,6 @@ Survey survey_nodes(const NodeLevels& levels, double noise, std::size_t step,
                     const AutomaticParts& parts, const Execution& execution) {
   const SurfaceNodes& nodes = levels.nodes(0);
   const SheetFitter fitter(levels, noise, parts);
-  const std::size_t all_scales = all_scales_step * step;
   Survey survey;
   ScaleSurvey& scales = survey.scales;
   for (std::size_t level = 0; level < node_levels; ++level) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "kd_tree.hpp"
@@ -28,6 +29,8 @@ class NodeLevels {
 
   [[nodiscard]] const SurfaceNodes& nodes(std::size_t level) const { return nodes_[level]; }
   [[nodiscard]] const KdTree& tree(std::size_t level) const { return trees_[level]; }
+  /// The nodes of level 0, at the end of all else.
+  [[nodiscard]] SurfaceNodes take_nodes() && { return std::move(nodes_[0]); }
   [[nodiscard]] double spacing() const { return spacing_; }
   /// Mean number of nodes of level 0 in one of this level.
   [[nodiscard]] double merged(std::size_t level) const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "deburr/neighborhoods.hpp"
 #include "deburr/normal_filter.hpp"
@@ -70,22 +71,25 @@ std::vector<Vec3> first_normals(Points points, Normals given, double ratio,
 
 Pilot find_pilot(const AutomaticInput& input, const Execution& execution) {
   const bool merge = is_merged(input);
-  const SurfaceNodes nodes = merge
-                                 ? merge_into_cells(input.points, input.points, {}, {}, {},
-                                                    input.noise + input.spacing, 1, execution)
-                                 : nodes_of_points({input.points.begin(), input.points.end()},
-                                                   {input.points.begin(), input.points.end()}, {});
+  SurfaceNodes nodes;
+  if (merge) {
+    nodes = merge_into_cells(input.points, input.points, {}, {}, {}, input.noise + input.spacing, 1,
+                             execution);
+    for (auto* unread : {&nodes.weights, &nodes.trust}) *unread = {};
+    nodes.normals = {};
+  }
+  const Points measured = merge ? nodes.measured : input.points;
   const double spacing = input.spacing * std::sqrt(static_cast<double>(input.points.size()) /
-                                                   static_cast<double>(nodes.size()));
+                                                   static_cast<double>(measured.size()));
   // Given normals are of single points, and their signs may be at odds.
   std::vector<Vec3> normals =
-      first_normals(nodes.measured, merge ? Normals{} : input.normals, input.noise / spacing,
+      first_normals(measured, merge ? Normals{} : input.normals, input.noise / spacing,
                     sub_execution(execution, "pilot", 0, 0.4));
   const double scale = scale_spacings * spacing + scale_noises * input.noise;
-  const Neighborhoods neighborhoods =
-      find_neighbors(nodes.measured, {.max_count = most_neighbors, .radius = radius_scales * scale},
+  Neighborhoods neighborhoods =
+      find_neighbors(measured, {.max_count = most_neighbors, .radius = radius_scales * scale},
                      sub_execution(execution, "pilot", 0.4, 0.6));
-  std::vector<Vec3> places = nodes.measured;
+  std::vector<Vec3> places(measured.begin(), measured.end());
   const auto [rounds, step] = merge ? of_cells : of_points;
   FeatureField field;
   for (int round = 0; round < rounds; ++round) {
@@ -95,19 +99,28 @@ Pilot find_pilot(const AutomaticInput& input, const Execution& execution) {
     normals = refit_normals(places, normals, neighborhoods,
                             {.position_scale = scale, .normal_scale = normal_scale}, quiet);
     normals = filter_normals(normals, neighborhoods, {}, Voteless::Keep, quiet);
-    field = sweep_at_once(nodes.measured, places, normals, neighborhoods, {},
+    field = sweep_at_once(measured, places, normals, neighborhoods, {},
                           {.position_scale = scale,
                            .normal_scale = normal_scale,
                            .step = step,
                            .max_move = input.max_move},
                           part);
   }
+  neighborhoods = {};
 
   Pilot pilot;
   pilot.merged = merge;
+  pilot.lone.resize(input.points.size());
+  if (!merge) {
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+      pilot.lone[i] = field.label[i] == Feature::Isolated;
+    }
+    pilot.places = std::move(places);
+    pilot.normals = std::move(normals);
+    return pilot;
+  }
   pilot.places.resize(input.points.size());
   pilot.normals.resize(input.points.size());
-  pilot.lone.resize(input.points.size());
   for (std::size_t i = 0; i < input.points.size(); ++i) {
     const std::uint32_t node = nodes.of[i];
     const Vec3 within = input.points[i] - nodes.measured[node];

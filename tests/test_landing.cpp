@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "landing.hpp"
@@ -44,21 +47,25 @@ struct Bench {
   [[nodiscard]] std::size_t size() const { return measured.size(); }
   Shares land(AutomaticResult& result, double max_move = 10, int threads = 1) const {
     const AutomaticInput input{measured, truth.normals, sigma, 1, max_move};
-    const NodeLevels levels(nodes_of_points(measured, truth.points, truth.normals), 1, sigma);
+    FittedNodes nodes{std::vector<std::uint32_t>(size()), size(), 1};
+    std::iota(nodes.of.begin(), nodes.of.end(), 0U);
     result.points = truth.points;
     result.normals = truth.normals;
     result.labels.assign(size(), Feature::Surface);
     NodeSheets fitted;
-    for (std::uint32_t i = 0; i < sheets.size(); ++i) {
-      if (!sheets[i].valid) continue;
-      if (i % step == 0) {
-        fitted.even.push_back({i, sheets[i]});
-      } else if (by_edge) {
-        fitted.further.push_back({i, sheets[i]});
+    for (const bool even : {true, false}) {
+      for (std::uint32_t i = 0; i < sheets.size(); ++i) {
+        if (!sheets[i].valid || (i % step == 0) != even || !(even || by_edge)) continue;
+        fitted.sheets.push_back(sheets[i]);
+        fitted.nodes.push_back(i);
+        if (even) ++fitted.even;
       }
     }
     const std::vector<std::uint8_t> all(by_edge ? size() : 0, 1);
-    return deburr::land(input, levels, fitted, {step, all}, result, {.threads = threads});
+    Shares shares;
+    deburr::land(input, nodes, std::move(fitted), {step, all}, result, &shares,
+                 {.threads = threads});
+    return shares;
   }
 };
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <set>
 #include <vector>
 
@@ -32,28 +33,38 @@ struct Flat {
   }
 };
 
-std::set<std::uint32_t> nodes_of(const std::vector<NodeSheet>& sheets) {
-  std::set<std::uint32_t> nodes;
-  for (const NodeSheet& s : sheets) nodes.insert(s.node);
-  return nodes;
+using Nodes = std::set<std::uint32_t>;
+
+Nodes even_nodes(const NodeSheets& all) {
+  return {all.nodes.begin(), all.nodes.begin() + static_cast<std::ptrdiff_t>(all.even)};
+}
+Nodes further_nodes(const NodeSheets& all) {
+  return {all.nodes.begin() + static_cast<std::ptrdiff_t>(all.even), all.nodes.end()};
 }
 
 TEST(NodeFits, SurveyOneOfSoManyNodes) {
   const Flat flat;
   for (const std::size_t step : {1U, 3U}) {
     const Survey survey = survey_nodes(flat.levels, sigma, step, {}, {});
-    EXPECT_TRUE(survey.sheets.further.empty());
-    EXPECT_EQ(survey.sheets.even.size(), (flat.truth.size() + step - 1) / step);
-    for (const NodeSheet& s : survey.sheets.even) {
-      EXPECT_EQ(s.node % step, 0U);
-      EXPECT_TRUE(s.sheet.valid);
-      EXPECT_EQ(s.sheet.frame.origin, flat.truth[s.node]);
+    const NodeSheets& all = survey.sheets;
+    ASSERT_EQ(all.sheets.size(), all.nodes.size());
+    EXPECT_TRUE(further_nodes(all).empty());
+    EXPECT_EQ(even_nodes(all).size(), (flat.truth.size() + step - 1) / step);
+    for (std::size_t k = 0; k < all.sheets.size(); ++k) {
+      EXPECT_EQ(all.nodes[k] % step, 0U);
+      EXPECT_TRUE(all.sheets[k].valid);
+      EXPECT_EQ(all.sheets[k].frame.origin, flat.truth[all.nodes[k]]);
     }
     // Fewer of them at all scales.
-    EXPECT_LT(survey.curves.size(), survey.sheets.even.size());
-    ASSERT_EQ(survey.places.size(), survey.curves.size());
-    ASSERT_EQ(survey.fits.size(), survey.curves.size());
-    for (const ScaleCurve& curve : survey.curves) EXPECT_GT(curve.freedom[0], 0);
+    const ScaleSurvey& scales = survey.scales;
+    EXPECT_LT(scales.curves.size(), all.sheets.size());
+    ASSERT_EQ(scales.places.size(), scales.curves.size());
+    ASSERT_EQ(scales.normals.size(), scales.curves.size());
+    for (const ScaleCurve& curve : scales.curves) EXPECT_GT(curve.freedom[0], 0);
+    for (const Vec3& n : scales.normals) EXPECT_EQ(n, (Vec3{0, 0, 1}));
+    for (std::size_t level = 0; level < node_levels; ++level) {
+      EXPECT_EQ(scales.merged[level], flat.levels.merged(level));
+    }
   }
 }
 
@@ -63,10 +74,8 @@ TEST(NodeFits, AreAtAllNodesByEdgesAndAtAnEvenChoiceElsewhere) {
   const Survey survey = survey_nodes(flat.levels, sigma, steps.survey, {}, {});
   std::vector<std::uint8_t> by_edge(flat.truth.size());
   for (std::size_t i = 0; i < by_edge.size(); ++i) by_edge[i] = flat.truth[i].x > 0 ? 1 : 0;
-  const NodeSheets sheets =
-      fit_nodes(flat.levels, survey, flat.levels, by_edge, sigma, steps, {}, {});
-  std::set<std::uint32_t> even;
-  std::set<std::uint32_t> further;
+  const NodeSheets sheets = fit_nodes(survey.scales, flat.levels, by_edge, sigma, steps, {}, {});
+  Nodes even, further;
   for (std::uint32_t i = 0; i < by_edge.size(); ++i) {
     if (i % steps.even == 0) {
       even.insert(i);
@@ -74,15 +83,17 @@ TEST(NodeFits, AreAtAllNodesByEdgesAndAtAnEvenChoiceElsewhere) {
       further.insert(i);
     }
   }
-  EXPECT_EQ(nodes_of(sheets.even), even);
-  EXPECT_EQ(nodes_of(sheets.further), further);
-  for (const NodeSheet& s : sheets.even) EXPECT_LT(std::abs(s.sheet.middle().z), sigma);
+  EXPECT_EQ(even_nodes(sheets), even);
+  EXPECT_EQ(further_nodes(sheets), further);
+  for (std::size_t k = 0; k < sheets.sheets.size(); ++k) {
+    EXPECT_LT(std::abs(sheets.sheets[k].middle().z), sigma);
+    EXPECT_EQ(sheets.sheets[k].frame.origin, flat.truth[sheets.nodes[k]]);
+  }
 }
 
 TEST(NodeFits, AreFewerWhereNoiseMakesThemOverlap) {
   const FitSteps few = fit_steps(0.2, {});
   const FitSteps many = fit_steps(1, {});
-  EXPECT_EQ(few.survey, 1U);
   EXPECT_EQ(few.even, 1U);
   EXPECT_GT(many.survey, few.survey);
   EXPECT_GT(many.even, many.survey);
@@ -101,23 +112,49 @@ TEST(NodeFits, HaveTheSameBitsForAnyThreads) {
   const Flat flat;
   const Survey one = survey_nodes(flat.levels, sigma, 2, {}, {.threads = 1});
   const Survey many = survey_nodes(flat.levels, sigma, 2, {}, {.threads = 5});
-  ASSERT_EQ(one.sheets.even.size(), many.sheets.even.size());
-  for (std::size_t i = 0; i < one.sheets.even.size(); ++i) {
-    EXPECT_EQ(one.sheets.even[i].node, many.sheets.even[i].node);
-    EXPECT_EQ(one.sheets.even[i].sheet.height.c, many.sheets.even[i].sheet.height.c);
+  ASSERT_EQ(one.sheets.nodes, many.sheets.nodes);
+  for (std::size_t i = 0; i < one.sheets.sheets.size(); ++i) {
+    EXPECT_EQ(one.sheets.sheets[i].height.c, many.sheets.sheets[i].height.c);
+  }
+}
+
+/// Sheets of some of 40 nodes, each at its number.
+NodeSheets numbered_sheets(std::initializer_list<std::uint32_t> rests) {
+  NodeSheets fitted;
+  for (const std::uint32_t rest : rests) {
+    for (std::uint32_t i = rest; i < 40; i += 4) {
+      Sheet sheet;
+      sheet.frame = frame_along({static_cast<double>(i), 0, 0}, {0, 0, 1});
+      sheet.valid = true;
+      fitted.sheets.push_back(sheet);
+      fitted.nodes.push_back(i);
+    }
+  }
+  fitted.even = 10;
+  return fitted;
+}
+
+// Nodes that nothing can be fitted to leave no gap, wherever they are.
+TEST(NodeFits, LeaveOutWhatCannotBeFitted) {
+  std::vector<Vec3> normals(576, Vec3{0, 0, 1});
+  for (const std::size_t i : {0U, 1U, 7U, 12U, 575U}) normals[i] = {};
+  const Flat flat;
+  const NodeLevels levels(nodes_of_points(flat.measured, flat.truth, normals), 1, sigma);
+  const Survey survey = survey_nodes(levels, sigma, 2, {}, {});
+  EXPECT_EQ(survey.sheets.nodes.size(), 286U);  // without 0 and 12
+  EXPECT_EQ(survey.sheets.even, 286U);
+  const std::vector<std::uint8_t> everywhere(576, 1);
+  const NodeSheets all = fit_nodes(survey.scales, levels, everywhere, sigma, {2, 3, 1}, {}, {});
+  EXPECT_EQ(all.even, 190U);  // of 192
+  for (std::size_t k = 0; k < all.nodes.size(); ++k) {
+    EXPECT_EQ(all.nodes[k] % 3 == 0, k < all.even);
+    EXPECT_FALSE(normals[all.nodes[k]] == Vec3{});
+    EXPECT_EQ(all.sheets[k].frame.origin, flat.truth[all.nodes[k]]);
   }
 }
 
 TEST(SheetSet, KeepsTheEvenChoiceFirst) {
-  NodeSheets fitted;
-  for (std::uint32_t i = 0; i < 40; ++i) {
-    Sheet sheet;
-    sheet.frame = frame_along({static_cast<double>(i), 0, 0}, {0, 0, 1});
-    sheet.valid = true;
-    if (i % 4 == 0) fitted.even.push_back({i, sheet});
-    if (i % 4 == 1) fitted.further.push_back({i, sheet});
-  }
-  const SheetSet set(fitted, 40);
+  const SheetSet set(numbered_sheets({0, 1}), 40);
   ASSERT_EQ(set.sheets().size(), 20U);
   EXPECT_EQ(set.even().order().size(), 10U);
   EXPECT_EQ(set.all().order().size(), 20U);
@@ -130,8 +167,7 @@ TEST(SheetSet, KeepsTheEvenChoiceFirst) {
       EXPECT_EQ(set.of(i) < 10, i % 4 == 0);
     }
   }
-  fitted.further.clear();
-  const SheetSet even(fitted, 40);
+  const SheetSet even(numbered_sheets({0}), 40);
   EXPECT_EQ(even.all().order().size(), 10U);
 }
 

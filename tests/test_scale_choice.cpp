@@ -20,12 +20,13 @@ std::vector<ScaleChoice> choices_on(const Sampled& truth, double sigma, double a
   const FitBench bench(truth, spacing, sigma, 2);
   // The fits are told of another noise than there is.
   const SheetFitter fitter(bench.levels, assumed);
-  std::vector<Sheet> sheets(count);
-  std::vector<ScaleCurve> curves(count);
+  ScaleSurvey survey{bench.fine.places, bench.fine.normals, std::vector<ScaleCurve>(count), {}};
+  for (std::size_t level = 0; level < node_levels; ++level) {
+    survey.merged[level] = bench.levels.merged(level);
+  }
   SheetFitter::Scratch scratch;
-  for (std::uint32_t i = 0; i < count; ++i) sheets[i] = fitter.survey(i, scratch, curves[i]);
-  return choose_scales(bench.levels.tree(0), sheets, curves, bench.fine.places, bench.fine.normals,
-                       assumed, bench.levels, {});
+  for (std::uint32_t i = 0; i < count; ++i) (void)fitter.survey(i, scratch, survey.curves[i]);
+  return ScaleChooser(survey, assumed).choose(bench.fine.places, bench.fine.normals);
 }
 
 double mean_scale(const std::vector<ScaleChoice>& choices) {
@@ -54,30 +55,20 @@ TEST(ScaleChoice, FindsTheNoiseOfThePlace) {
   }
 }
 
-/// Nodes of which 9 make one of level 1, and 81 one of level 2.
-NodeLevels nodes_by_nines() {
-  const Sampled plane = plane_grid(18);
-  return {nodes_of_points(plane.points, plane.points, plane.normals), 1, 0.1};
-}
-
 /// Curves of nodes whose fits have a variance that falls and residuals that rise with the scale.
 struct MadeUp {
-  std::vector<Vec3> places = flat_square(400, 4).points;
   std::vector<Vec3> normals = std::vector<Vec3>(400, Vec3{0, 0, 1});
-  std::vector<Sheet> sheets = std::vector<Sheet>(400);
-  std::vector<ScaleCurve> curves = std::vector<ScaleCurve>(400);
-  NodeLevels levels = nodes_by_nines();
+  ScaleSurvey survey{flat_square(400, 4).points, normals, std::vector<ScaleCurve>(400), {1, 9, 81}};
 
   /// @param misfit  at the scales from `from` on
   MadeUp(std::size_t from, float misfit) {
-    for (Sheet& sheet : sheets) sheet.frame.w = {0, 0, 1};
-    for (ScaleCurve& curve : curves) {
+    for (ScaleCurve& curve : survey.curves) {
       for (std::size_t s = 0; s < sheet_scales; ++s) {
         const double area = std::pow(1.5, static_cast<double>(s));
         curve.freedom[s] = static_cast<float>(120 * area);
         curve.variance[s] = static_cast<float>(0.2 / area);
         // The mean of nine points shows a misfit nine times as clearly.
-        const auto seen = static_cast<float>(levels.merged(s / level_scales)) * misfit;
+        const auto seen = static_cast<float>(survey.merged[s / level_scales]) * misfit;
         curve.residual[s] = s < from ? 1 : 1 + seen;
         curve.curvature[s] = 1.25;
         if (curve.residual[s] > 3) break;  // a survey ends there
@@ -85,8 +76,7 @@ struct MadeUp {
     }
   }
   [[nodiscard]] std::vector<ScaleChoice> choose() const {
-    const KdTree tree(places);
-    return choose_scales(tree, sheets, curves, places, normals, 0.1, levels, {});
+    return ScaleChooser(survey, 0.1).choose(survey.places, normals);
   }
 };
 
@@ -121,9 +111,8 @@ TEST(ScaleChoice, DoesNotListenToTheOtherSide) {
   const MadeUp other(7, 2);
   for (std::size_t i = 0; i < 400; ++i) {
     if (i % 40 == 0) continue;
-    made.sheets[i].frame.w = {0, 0, -1};
-    made.normals[i] = {0, 0, -1};
-    made.curves[i] = other.curves[i];
+    made.survey.normals[i] = made.normals[i] = {0, 0, -1};
+    made.survey.curves[i] = other.survey.curves[i];
   }
   const std::vector<ScaleChoice> choices = made.choose();
   for (std::size_t i = 0; i < 400; ++i) ASSERT_EQ(choices[i].scale, i % 40 == 0 ? 2U : 6U);
@@ -131,7 +120,7 @@ TEST(ScaleChoice, DoesNotListenToTheOtherSide) {
 
 TEST(ScaleChoice, HasADefaultWithoutCurves) {
   MadeUp made(sheet_scales, 0);
-  made.curves.assign(400, {});
+  made.survey.curves.assign(400, {});
   for (const ScaleChoice& choice : made.choose()) {
     ASSERT_EQ(choice.noise, 0.1);
     ASSERT_LT(choice.scale, sheet_scales);
