@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "automatic.hpp"
-#include "left_out.hpp"
+#include "take_out.hpp"
 #include "local_noise.hpp"
 #include "noise_levels.hpp"
 #include "outliers_of_distinct.hpp"

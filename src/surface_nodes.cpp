@@ -86,8 +86,14 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
   }
   parallel_sort(keys, execution);
 
+  std::size_t all = 0;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    if (k == 0 || !keys[k].same_node(keys[k - 1])) ++all;
+  }
   SurfaceNodes nodes;
   nodes.of.resize(places.size());
+  for (auto* column : {&nodes.measured, &nodes.places, &nodes.normals}) column->reserve(all);
+  for (auto* column : {&nodes.weights, &nodes.trust}) column->reserve(all);
   for (std::size_t from = 0; from < keys.size();) {
     Vec3 measured_sum;
     Vec3 place_sum;

@@ -7,14 +7,14 @@
 #include <numeric>
 #include <vector>
 
-#include "left_out.hpp"
+#include "take_out.hpp"
 
 namespace deburr {
 namespace {
 
 using Marks = std::vector<std::uint8_t>;
 
-TEST(LeftOut, TakesTheMarkedOutAndPutsThemBack) {
+TEST(TakeOut, TakesTheMarkedOutAndPutsThemBack) {
   // Every choice of five values, so ends, runs, all and none are among them.
   for (unsigned choice = 0; choice < 32; ++choice) {
     Marks marks(5);
@@ -36,14 +36,14 @@ TEST(LeftOut, TakesTheMarkedOutAndPutsThemBack) {
   }
 }
 
-TEST(LeftOut, IsNothingOfNothing) {
+TEST(TakeOut, IsNothingOfNothing) {
   std::vector<int> none;
   EXPECT_TRUE(take_out(none, Marks{}).empty());
   put_back(none, {}, Marks{});
   EXPECT_TRUE(none.empty());
 }
 
-TEST(LeftOut, MovesValuesThatCannotBeCopied) {
+TEST(TakeOut, MovesValuesThatCannotBeCopied) {
   std::vector<std::unique_ptr<int>> values;
   for (int i = 0; i < 3; ++i) values.push_back(std::make_unique<int>(i));
   const Marks marks{0, 1, 0};
