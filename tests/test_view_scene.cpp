@@ -217,6 +217,44 @@ TEST(ViewScene, ShowsWhatWasLeftOutAfterThePairs) {
   }
 }
 
+TEST(ViewScene, WhatWasRemovedIsAnOutlierWhateverElseIsKnown) {
+  const PointCloud plain = synthesize_part({.points = 60}).cloud;
+  PointCloud labelled = plain;
+  labelled.attributes.push_back({"deburr_label", std::vector<std::uint8_t>(60, 2), {}});
+  PointCloud after;
+  std::vector<std::uint32_t> origin;
+  for (std::uint32_t i = 0; i < 60; ++i) {
+    if (i % 10 == 3) continue;
+    after.points.push_back(plain.points[i]);
+    origin.push_back(i);
+  }
+  // Labels of the first cloud stay; without any, those in both clouds have an unknown one.
+  for (const PointCloud* before : {&plain, static_cast<const PointCloud*>(&labelled)}) {
+    const Decoded page(make_scene({.before = {.name = "a", .cloud = before},
+                                   .after = ShownCloud{.name = "b", .cloud = &after},
+                                   .origin = origin},
+                                  plenty));
+    EXPECT_EQ(page.about()["removed"], 6);
+    const int label = before == &plain ? 7 : 2;
+    for (std::size_t k = 0; k < 60; ++k) {
+      EXPECT_EQ(page.value(0, "flags", k), k < 54 ? label : label + 8);
+    }
+  }
+  // Where nothing was removed nothing is said.
+  const Decoded whole(make_scene(
+      {.before = {.name = "a", .cloud = &plain}, .after = ShownCloud{.name = "b", .cloud = &plain}},
+      plenty));
+  EXPECT_EQ(whole.about()["removed"], 0);
+  EXPECT_FALSE(whole.has(0, "flags"));
+}
+
+TEST(ViewScene, TellsWhichAxisIsUp) {
+  const PointCloud cloud = survey(20);
+  const Request request{.before = {.name = "a", .cloud = &cloud}};
+  EXPECT_EQ(Decoded(make_scene(request, plenty)).about()["up"], "z");
+  EXPECT_EQ(Decoded(make_scene(request, plenty, {.up = Up::MinusY})).about()["up"], "-y");
+}
+
 TEST(ViewScene, LeavesOutWhatIsNotFinite) {
   PointCloud before = survey(100);
   PointCloud after = before;

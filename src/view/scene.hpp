@@ -12,6 +12,7 @@
 #include "deburr/execution.hpp"
 #include "deburr/features.hpp"
 #include "deburr/point_cloud.hpp"
+#include "view/up.hpp"
 
 namespace deburr::view {
 
@@ -37,6 +38,7 @@ struct Request {
 struct SceneOptions {
   std::size_t max_bytes = 12'000'000;  ///< of a whole page
   std::size_t normal_neighbors = 12;   ///< for normals, where a cloud has none
+  Up up = Up::Z;                       ///< axis that points up at first
 };
 
 /// Points as a page holds them.

@@ -5,32 +5,20 @@ import { availableModes, firstRange, mapOf, paint, valuesOf, type Range } from '
 import { hasOutliers, sceneOrigin, type Cloud } from './data/cloud';
 import type { DenoiseReport, SceneInfo } from './data/scene';
 import { Stage, type Drawn } from './scene/stage';
+import { upNamed } from './scene/up';
 import { Store } from './state';
 import { el } from './ui/dom';
-import { baseName, count } from './ui/format';
 import { helpDialog, press } from './ui/keys';
 import { legend } from './ui/legend';
 import { pickedPanel } from './ui/picked';
 import { reportPanel } from './ui/report';
 import { SectionPanel } from './ui/section_panel';
 import { pageButtons, toolbar } from './ui/toolbar';
+import { shownText, titleOf } from './ui/words';
 
 const clickTravel = 4; // pixels that a click may move
 const shapeLight = 0.75; // how much brightness tells the shape where it is all there is to see
 const colourLight = 0.3; // and where colours mean something
-
-export function titleOf(scene: SceneInfo): string {
-  return scene.clouds.map((cloud) => baseName(cloud.name)).join(' → ');
-}
-
-export function shownText(scene: SceneInfo): string {
-  const shown = scene.clouds.map((cloud) => cloud.shown);
-  const all = scene.clouds.map((cloud) => cloud.points);
-  const same = new Set(shown).size === 1 && new Set(all).size === 1;
-  const parts = (same ? [0] : [...shown.keys()]).map((k) =>
-    `${count(shown[k])} of ${count(all[k])} points`);
-  return `Shows ${parts.join(' and ')}${same && shown.length > 1 ? ', before and after' : ''}`;
-}
 
 export class App {
   private readonly store: Store;
@@ -51,7 +39,7 @@ export class App {
     const dark = window.matchMedia('(prefers-color-scheme: dark)').matches;
     this.store = new Store({
       layout: 'side', mode: 'normals', ranges: {}, pointSize: 2.4, orthographic: false,
-      hideOutliers: false, wipe: 0.5, picked: undefined, dark,
+      up: upNamed(scene.up), hideOutliers: false, wipe: 0.5, picked: undefined, dark,
       slab: { on: false, axis: 'y', position: 0.5, thickness: 3, keepBehind: true },
     });
     this.stage = new Stage(this.host, clouds, this.store);

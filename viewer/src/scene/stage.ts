@@ -62,7 +62,10 @@ export class Stage {
     });
     this.budget = new FrameBudget(clouds.reduce((sum, cloud) => sum + cloud.count, 0));
     host.prepend(this.canvas);
-    this.rig = new Rig(this.canvas, this.extent, () => this.moved());
+    this.rig = new Rig(this.canvas, this.extent, store.get().up, () => this.moved());
+    store.watch((state, changed) => {
+      if (changed.has('up')) this.rig.setUp(state.up);
+    });
     new ResizeObserver(() => this.request()).observe(host);
   }
 
