@@ -43,6 +43,10 @@ export class App {
       slab: { on: false, axis: 'y', position: 0.5, thickness: 3, keepBehind: true },
     });
     this.stage = new Stage(this.host, clouds, this.store);
+    // Before all who draw with the colours of the page.
+    this.store.watch((state, changed) => {
+      if (changed.has('dark')) this.applyTheme(state.dark);
+    });
     const help = helpDialog();
     const actions = {
       fit: () => this.stage.rig.fit(),
@@ -75,7 +79,6 @@ export class App {
       this.live, help);
     this.listen(modes, actions);
     this.store.watch((state, changed) => {
-      if (changed.has('dark')) this.applyTheme(state.dark);
       if (changed.has('orthographic')) this.stage.rig.setOrthographic(state.orthographic);
       if (changed.has('mode') || changed.has('ranges')) {
         legendHost.replaceChildren(legend(state.mode, scene, this.range(), (r) => this.setRange(r)));
@@ -153,8 +156,17 @@ export class App {
       event.preventDefault();
       wipeTo((this.store.get().wipe + by) * this.host.clientWidth);
     });
-    window.addEventListener('beforeprint', () => this.stillForPaper());
-    window.addEventListener('afterprint', () => this.host.querySelector('img')?.remove());
+    let dark: boolean | undefined; // before the print
+    window.addEventListener('beforeprint', () => {
+      dark ??= this.store.get().dark;
+      this.store.set({ dark: false }); // also for the colours of the cross-section
+      this.stillForPaper();
+    });
+    window.addEventListener('afterprint', () => {
+      this.host.querySelector('img')?.remove();
+      if (dark !== undefined) this.store.set({ dark });
+      dark = undefined;
+    });
   }
 
   /** Browsers print a picture, but not always what WebGL has drawn. */
@@ -163,7 +175,7 @@ export class App {
     this.stage.draw();
     this.host.querySelector('img')?.remove();
     this.host.append(el('img', { alt: '', class: 'paper', src: this.stage.canvas.toDataURL() }));
-    this.applyTheme(this.store.get().dark);
+    this.applyTheme(false);
   }
 
   private drawn({ panes }: Drawn): void {

@@ -99,7 +99,7 @@ function drawGrid(
     paper.moveTo(0, y);
     paper.lineTo(width, y);
     paper.stroke();
-    paper.fillText(text, 3, y - 3);
+    if (y > 30) paper.fillText(text, 3, y - 3); // not over the name of the axis
   });
   if (!picture.axes) return;
   paper.font = 'bold 12px system-ui, sans-serif';

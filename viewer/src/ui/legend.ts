@@ -62,6 +62,7 @@ export function legend(
     meaning = 'How far each point was moved along its normal, in file units: ' +
       'outwards is positive.';
   }
+  if (mode === 'displacement' && scene.removed) meaning += ' What was removed is grey.';
   if (mode === 'labels' && scene.removed) {
     meaning += ` ${removedText(scene.removed)}: they are shown before, not after.`;
   }

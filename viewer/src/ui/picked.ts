@@ -42,7 +42,8 @@ export function pickedRows(
   if (value !== undefined && Number.isFinite(value)) {
     rows.push([scene.displacement?.signed ? 'along the normal' : 'displacement', short(value)]);
   }
-  const normal = [0, 1, 2].map((k) => short(known.normals[3 * point + k]! / byteScale, 3));
+  // A page holds directions to about a degree.
+  const normal = [0, 1, 2].map((k) => (known.normals[3 * point + k]! / byteScale).toFixed(2));
   rows.push([known.info.estimatedNormals ? 'normal (estimated)' : 'normal', normal.join('  ')]);
   if (known.flags) rows.push(['label', labelText(known, point)]);
   if (scene.paired && !isPair) rows.push(['after', 'removed']);

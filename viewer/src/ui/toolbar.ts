@@ -34,7 +34,7 @@ export function toolbar(
   const hide = checkbox('Hide outliers', store.get().hideOutliers,
     (value) => store.set({ hideOutliers: value }));
   const cut = checkbox('Cross-section', store.get().slab.on, (value) => store.setSlab({ on: value }));
-  const look = select('', [['', 'View from …'], ...Object.keys(views).map((name): [string, string] =>
+  const look = select('', [['', 'View …'], ...Object.keys(views).map((name): [string, string] =>
     [name, name])], '', (value) => {
     if (value) actions.look(value as ViewName);
     look.field.value = '';

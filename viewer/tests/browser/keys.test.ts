@@ -101,7 +101,11 @@ describe('the page', () => {
     await page.getByRole('checkbox', { name: 'Cross-section' }).check();
     await settled(page);
     await screenshot(page, 'dark');
+    const section = () => page.$eval('.section canvas', (canvas) =>
+      (canvas as HTMLCanvasElement).toDataURL());
+    const before = await section();
     await page.getByRole('button', { name: 'Light' }).click();
+    expect(await section()).not.toBe(before);
     const light = await stagePixels(page);
     expect(countPixels(light, (r, g, b) => r + g + b < 120)).toBeLessThan(light.width * light.height * 0.2);
     expect(problems).toEqual([]);
@@ -125,6 +129,25 @@ describe('the page', () => {
     expect(drawn).toBeGreaterThan(300);
     await screenshot(page, 'print');
     expect((await page.pdf()).length).toBeGreaterThan(10_000);
+  });
+
+  it('is printed on white paper from a dark screen, and dark again after it', async () => {
+    const { page } = await open(browser, join(dir, 'view.html'), true);
+    await page.getByRole('checkbox', { name: 'Cross-section' }).check();
+    await settled(page);
+    const theme = () => page.getAttribute('html', 'data-theme');
+    const drawn = () => page.$eval('.section canvas', (canvas) => (canvas as HTMLCanvasElement).toDataURL());
+    const onScreen = await drawn();
+    await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
+    expect(await theme()).toBe('light');
+    expect(await drawn()).not.toBe(onScreen);
+    await page.emulateMedia({ media: 'print' });
+    await screenshot(page, 'print-dark');
+    await page.emulateMedia({ media: 'screen' });
+    await page.evaluate(() => window.dispatchEvent(new Event('afterprint')));
+    expect(await theme()).toBe('dark');
+    expect(await drawn()).toBe(onScreen);
+    expect(await page.locator('.paper').count()).toBe(0);
   });
 
   it('shows still pictures and the report where there is no WebGL', async () => {
