@@ -15,6 +15,7 @@
 #include "json_line.hpp"
 #include "output_file.hpp"
 #include "up_option.hpp"
+#include "view/left_out.hpp"
 #include "view/png.hpp"
 #include "view/still.hpp"
 
@@ -110,7 +111,7 @@ void run(RenderArgs& args) {
   view::Request request{.before = {.name = args.cloud, .cloud = &cloud}};
   if (!args.before.empty()) {
     before = read_cloud(args.before, interrupted);
-    if (before.size() != cloud.size()) {
+    if (before.size() != cloud.size() && view::match_without_removed(before, cloud).empty()) {
       throw DataError(fmt::format("--before {}: {} points, not {} as in {}", args.before,
                                   before.size(), cloud.size(), args.cloud));
     }
@@ -143,8 +144,9 @@ void add_render_command(CLI::App& program) {
                                 args->options.raster.height));
   command
       ->add_option("--before", args->before,
-                   "The same points before they were moved, in the same order: the displacement is "
-                   "then taken between the two, along the normals")
+                   "The same points before they were moved, in the same order, with or without "
+                   "outliers that were removed: the displacement is then taken between the two, "
+                   "along the normals")
       ->option_text("CLOUD");
   add_value(*command, "--range", args->options.range,
             "Displacement of the last colour, in input units; 0 for what 98 % do not exceed");

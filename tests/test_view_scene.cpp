@@ -248,6 +248,56 @@ TEST(ViewScene, WhatWasRemovedIsAnOutlierWhateverElseIsKnown) {
   EXPECT_FALSE(whole.has(0, "flags"));
 }
 
+/// What is left of a cloud without every tenth point, moved, with the field that says how far.
+PointCloud without_some(const PointCloud& before) {
+  PointCloud after;
+  std::vector<float> moved;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (i % 10 == 3) continue;
+    const double by = 0.01 * static_cast<double>(i % 17);
+    after.points.push_back(before.points[i] + Vec3{0, 0, by});
+    after.normals.push_back({0, 0, 1});
+    moved.push_back(static_cast<float>(by));
+  }
+  after.attributes.push_back({"deburr_displacement", moved, {}});
+  return after;
+}
+
+TEST(ViewScene, FindsWhatWasRemovedByHowFarTheOthersMoved) {
+  PointCloud before = survey(200);
+  before.points[50].x = nan;
+  PointCloud after = without_some(before);
+  const auto scene = [&] {
+    return make_scene({.before = {.name = "a", .cloud = &before},
+                       .after = ShownCloud{.name = "b", .cloud = &after}},
+                      plenty);
+  };
+  const Scene paired = scene();
+  EXPECT_TRUE(paired.paired);
+  EXPECT_TRUE(paired.warnings.empty());
+  const Decoded page(paired);
+  EXPECT_EQ(page.about()["removed"], 20);
+  EXPECT_EQ(page.about()["displacement"]["signed"], true);
+  ASSERT_EQ(page.shown(1), 179U);
+  for (std::size_t k = 0; k < 179; ++k) {
+    const Vec3 moved = page.point(1, k) - page.point(0, k);
+    EXPECT_NEAR(moved.x, 0, 1e-4);
+    EXPECT_NEAR(moved.z, page.value(1, "displacement", k), 1e-4);
+  }
+  for (std::size_t k = 179; k < page.shown(0); ++k) EXPECT_GE(page.value(0, "flags", k), 8);
+
+  // One point that does not fit, another order, or nothing that says how far: no pairs.
+  const PointCloud good = after;
+  after.points[90].x += 3;
+  EXPECT_FALSE(scene().paired);
+  after = good;
+  std::ranges::reverse(after.points);
+  EXPECT_FALSE(scene().paired);
+  after = good;
+  after.attributes.clear();
+  EXPECT_FALSE(scene().paired);
+}
+
 TEST(ViewScene, TellsWhichAxisIsUp) {
   const PointCloud cloud = survey(20);
   const Request request{.before = {.name = "a", .cloud = &cloud}};

@@ -31,7 +31,8 @@ struct Request {
   ShownCloud before;
   std::optional<ShownCloud> after{};  ///< without it one cloud is shown
   /// For each point of `after` the index of the same point in `before`. Empty: clouds of one size
-  /// hold the same points in the same order, unless they lie so far apart that this cannot be.
+  /// hold the same points in the same order, unless they lie so far apart that this cannot be. A
+  /// smaller one is matched with the first where its deburr_displacement tells how.
   std::span<const std::uint32_t> origin{};
 };
 

@@ -132,6 +132,31 @@ TEST_F(CliView, TheReportOfARunCanBeAPage) {
   EXPECT_TRUE(read_cloud("out.xyz").attributes.empty());
 }
 
+TEST_F(CliView, AResultWithoutItsOutliersIsPairedWithItsInput) {
+  if (!has_viewer) {
+    GTEST_SKIP() << "NOT TESTED: this build has no page; Node.js and -DDEBURR_VIEWER=ON make one";
+  }
+  // Formats keep coordinates and the field in their own ways.
+  for (const std::string name : {"out.ply", "out.las", "out.csv"}) {
+    ASSERT_EQ(run_program({"synth", "part", "many.ply", "--points", "3000", "--outliers", "0.02"})
+                  .exit_code,
+              0);
+    const Outcome run = run_program({"denoise", "many.ply", name, "--outliers", "remove", "--add",
+                                     "normals,label,displacement", "--json"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Outcome page = run_program({"view", "many.ply", name, "-o", "x.html", "--json"});
+    ASSERT_EQ(page.exit_code, 0) << page.err;
+    EXPECT_EQ(json::parse(page.out)["paired"], true) << name;
+    const json scene = json::parse(block(read_text("x.html"), "scene"));
+    EXPECT_EQ(scene["removed"], json::parse(run.out)["outliers"]);
+    EXPECT_GT(scene["removed"], 30);
+    EXPECT_EQ(run_program({"render", name, "x.png", "--before", "many.ply", "--color",
+                           "displacement", "--size=64x48"})
+                  .exit_code,
+              0);
+  }
+}
+
 TEST_F(CliView, TheResultIsTheSameWithAPage) {
   if (!has_viewer) {
     GTEST_SKIP() << "NOT TESTED: this build has no page; Node.js and -DDEBURR_VIEWER=ON make one";

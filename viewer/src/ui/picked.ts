@@ -47,7 +47,10 @@ export function pickedRows(
   rows.push([known.info.estimatedNormals ? 'normal (estimated)' : 'normal', normal.join('  ')]);
   if (known.flags) rows.push(['label', labelText(known, point)]);
   if (scene.paired && !isPair) rows.push(['after', 'removed']);
-  if (known.intensity) rows.push(['intensity', short(known.intensity[point], 6)]);
+  const intensity = known.intensity?.[point];
+  if (intensity !== undefined) {
+    rows.push(['intensity', Number.isInteger(intensity) ? String(intensity) : short(intensity, 6)]);
+  }
   if (known.colours) {
     rows.push(['colour', Array.from(known.colours.subarray(3 * point, 3 * point + 3)).join(' ')]);
   }

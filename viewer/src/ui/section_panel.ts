@@ -10,7 +10,7 @@ import type { Up } from '../scene/up';
 import type { Axis, Slab, State, Store } from '../state';
 import { el } from './dom';
 import { button, checkbox, select, slider } from './fields';
-import { short } from './format';
+import { coordinate } from './format';
 
 const outlineCell = 1.4; // spacings
 const wheelStep = 1.0015;
@@ -95,7 +95,7 @@ export class SectionPanel {
     const thickness = slab.thickness * this.spacing;
     const described = describeSection(this.picture, thickness);
     this.canvas.setAttribute('aria-label', described);
-    const at = file ? `${slab.axis} = ${short(plane.offset + dot(this.origin, plane.normal), 6)}` : 'facing the view';
+    const at = file ? `${slab.axis} = ${coordinate(plane.offset + dot(this.origin, plane.normal), thickness / 1000)}` : 'facing the view';
     this.told.textContent = `${described}; ${at}. Wheel and drag enlarge and move it.`;
   }
 

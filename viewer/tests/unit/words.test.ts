@@ -47,6 +47,14 @@ describe('a point', () => {
     expect(rows['after']).toBe('0  0  0');
   });
 
+  it('tells whole numbers as such, and directions as exactly as they are known', () => {
+    const [before, after] = clouds;
+    const bright = { ...after!, intensity: Float64Array.of(7), normals: Int8Array.of(0, -127, 64) };
+    const rows = Object.fromEntries(pickedRows(pair(1), [before!, bright], 1, 0));
+    expect(rows['intensity']).toBe('7');
+    expect(rows['normal']).toBe('0.00  -1.00  0.50');
+  });
+
   it('that was removed is told to be', () => {
     const rows = Object.fromEntries(pickedRows(pair(1), clouds, 0, 1));
     expect(rows['label']).toBe('outlier');
