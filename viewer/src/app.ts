@@ -185,11 +185,13 @@ export class App {
     this.divider.style.left = `${100 * state.wipe}%`;
     this.divider.setAttribute('aria-valuenow', String(Math.round(100 * state.wipe)));
     const marks: Node[] = [];
+    // In shares of the picture, which has another size on paper.
+    const { clientWidth, clientHeight } = this.host;
     for (const pane of panes) {
       const { clip } = pane;
       if (this.clouds.length > 1) {
         const name = el('span', { class: 'name' }, pane.cloud === 0 ? 'before' : 'after');
-        name.style.left = `${clip.x + 8}px`;
+        name.style.left = `${(100 * clip.x) / clientWidth}%`;
         name.hidden = clip.width < 60;
         marks.push(name);
       }
@@ -198,8 +200,8 @@ export class App {
       const place = here ? this.stage.place(pane, picked.point) : undefined;
       if (!place) continue;
       const ring = el('span', { class: 'ring' });
-      ring.style.left = `${place.x}px`;
-      ring.style.top = `${place.y}px`;
+      ring.style.left = `${(100 * place.x) / clientWidth}%`;
+      ring.style.top = `${(100 * place.y) / clientHeight}%`;
       marks.push(ring);
     }
     this.overlay.replaceChildren(...marks);

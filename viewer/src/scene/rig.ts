@@ -111,8 +111,8 @@ export class Rig {
     const right = new Vector3().crossVectors(this.perspective.up, direction).normalize();
     const up = new Vector3().crossVectors(direction, right);
     const { low, high, centre, radius } = this.extent;
-    let half = 1e-6 * radius;
-    let distance = half;
+    let half = 0;
+    let distance = 0;
     for (let corner = 0; corner < 8; ++corner) {
       const at = new Vector3().fromArray([0, 1, 2].map((k) =>
         ((corner >> k) & 1 ? high[k]! : low[k]!) - centre[k]!));
@@ -123,7 +123,8 @@ export class Rig {
       half = Math.max(half, reach);
       distance = Math.max(distance, at.dot(direction) + reach / halfAngle);
     }
-    return { half, distance };
+    // A single point, or a line from its end, is shown with what a cloud of its size would need.
+    return half > 1e-6 * radius ? { half, distance } : { half: radius, distance: radius / halfAngle };
   }
 
   setOrthographic(on: boolean): void {

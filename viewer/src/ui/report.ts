@@ -79,7 +79,7 @@ function summaryTable(caption: string, rows: [string, Summary][]): Node {
 
 function displacementPart(scene: SceneInfo): Node[] {
   const info = scene.displacement;
-  if (!info) return [];
+  if (!info || info.count === 0) return [];
   const range = { low: info.signed ? -info.range : 0, high: info.range };
   return [
     el('h3', {}, info.signed ? 'Displacement along the normals' : 'Displacement'),

@@ -96,7 +96,8 @@ export class SectionPanel {
     const described = describeSection(this.picture, thickness);
     this.canvas.setAttribute('aria-label', described);
     const at = file ? `${slab.axis} = ${coordinate(plane.offset + dot(this.origin, plane.normal), thickness / 1000)}` : 'facing the view';
-    this.told.textContent = `${described}; ${at}. Wheel and drag enlarge and move it.`;
+    this.told.replaceChildren(`${described}; ${at}. `,
+      el('span', { class: 'on-screen' }, 'Wheel and drag enlarge and move it.'));
   }
 
   private fit(): void {
