@@ -32,7 +32,7 @@ export class Rig {
 
   constructor(
     private readonly element: HTMLElement, private readonly extent: Extent, up: Up,
-    private readonly moved: () => void,
+    private readonly moved: () => void, private readonly held: (held: boolean) => void,
   ) {
     this.frame = frameOf(up);
     this.controls = this.newControls(this.perspective);
@@ -45,6 +45,8 @@ export class Rig {
     this.orthographic.up.fromArray(this.frame.up);
     const controls = new OrbitControls(camera, this.element);
     controls.addEventListener('change', this.moved);
+    controls.addEventListener('start', () => this.held(true));
+    controls.addEventListener('end', () => this.held(false));
     return controls;
   }
 
@@ -58,6 +60,7 @@ export class Rig {
     const turned = toFile(fromFile(from, this.frame), next);
     this.frame = next;
     this.controls.dispose();
+    this.held(false);
     this.element.style.cursor = ''; // that of the style sheet
     this.controls = this.newControls(camera);
     this.controls.target.copy(target);

@@ -99,7 +99,7 @@ describe('a page of a million points', () => {
     }
     const figures = { bytes, readyMs: Math.round(readyAfter), fps: Math.round(best.fps), drawn: best.drawn };
     console.log(JSON.stringify(figures));
-    expect(best.drawn).toBeGreaterThan(20_000);
+    expect(best.drawn).toBeGreaterThanOrEqual(20_000); // no fewer, however slow the machine
     expect(readyAfter).toBeLessThan(5000);
     expect(best.fps).toBeGreaterThan(10);
   });
