@@ -14,6 +14,8 @@
 #include "io/atomic_file.hpp"
 #include "json_line.hpp"
 #include "output_file.hpp"
+#include "up_option.hpp"
+#include "view/left_out.hpp"
 #include "view/png.hpp"
 #include "view/still.hpp"
 
@@ -85,6 +87,8 @@ void tell_result(const RenderArgs& args, const view::StillPicture& still) {
                                 {"height", still.picture.height},
                                 {"color", word_for(colours, args.options.colour)},
                                 {"view", word_for(views, args.options.view)},
+                                {"up", to_string(args.options.up)},
+                                {"legend", still.legend},
                                 {"points", still.points}};
     if (has_range) json["range"] = {low, still.range};
     print(to_line(json));
@@ -107,7 +111,7 @@ void run(RenderArgs& args) {
   view::Request request{.before = {.name = args.cloud, .cloud = &cloud}};
   if (!args.before.empty()) {
     before = read_cloud(args.before, interrupted);
-    if (before.size() != cloud.size()) {
+    if (before.size() != cloud.size() && view::match_without_removed(before, cloud).empty()) {
       throw DataError(fmt::format("--before {}: {} points, not {} as in {}", args.before,
                                   before.size(), cloud.size(), args.cloud));
     }
@@ -133,17 +137,22 @@ void add_render_command(CLI::App& program) {
   add_choice(*command, "--color", args->options.colour, colours,
              "What colours show: the shape alone, or the fields deburr_displacement, deburr_label, "
              "or red green blue");
-  add_choice(*command, "--view", args->options.view, views, "Where the viewer stands; z is up");
+  add_choice(*command, "--view", args->options.view, views, "Where the viewer stands");
+  add_up(*command, args->options.up);
   command->add_option("--size", args->size, "Size of the picture in pixels")
       ->option_text(fmt::format("WIDTHxHEIGHT [{}x{}]", args->options.raster.width,
                                 args->options.raster.height));
   command
       ->add_option("--before", args->before,
-                   "The same points before they were moved, in the same order: the displacement is "
-                   "then taken between the two, along the normals")
+                   "The same points before they were moved, in the same order, with or without "
+                   "outliers that were removed: the displacement is then taken between the two, "
+                   "along the normals")
       ->option_text("CLOUD");
   add_value(*command, "--range", args->options.range,
             "Displacement of the last colour, in input units; 0 for what 98 % do not exceed");
+  command->add_flag_callback(
+      "--no-legend", [args] { args->options.legend = false; },
+      "Do not draw below what the colours of displacement and labels mean");
   add_common_options(*command, args->common, examples);
   command->callback([args] { run(*args); });
 }

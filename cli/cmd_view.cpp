@@ -14,6 +14,7 @@
 #include "json_line.hpp"
 #include "output_file.hpp"
 #include "page_output.hpp"
+#include "up_option.hpp"
 
 namespace deburr::cli {
 namespace {
@@ -32,6 +33,7 @@ struct ViewArgs {
   std::string output;
   std::string truth;
   std::string in_format;
+  view::Up up = view::SceneOptions{}.up;
   double max_megabytes = static_cast<double>(view::SceneOptions{}.max_bytes) / megabyte;
 };
 
@@ -70,6 +72,7 @@ view::SceneOptions check(const ViewArgs& args) {
         fmt::format("--max-size must be in [{}, {}], got {}", least, most, args.max_megabytes));
   }
   options.max_bytes = static_cast<std::size_t>(args.max_megabytes * megabyte);
+  options.up = args.up;
   return options;
 }
 
@@ -151,6 +154,7 @@ void add_view_command(CLI::App& program) {
       ->add_option("--truth", args->truth,
                    "The true surface: a file with faces, or a cloud of points on it")
       ->option_text("MESH_OR_CLOUD");
+  add_up(*command, args->up);
   add_value(*command, "--max-size", args->max_megabytes,
             "Largest size of the page, in megabytes; what does not fit is left out evenly");
   add_common_options(*command, args->common, examples);

@@ -17,10 +17,10 @@ constexpr std::size_t room_for_report = 10'000;
 constexpr int still_width = 480;
 constexpr int still_height = 360;
 
-void add_still(const view::ShownCloud& shown, std::vector<view::Still>& stills,
+void add_still(const view::ShownCloud& shown, view::Up up, std::vector<view::Still>& stills,
                const Execution& execution) {
   if (std::ranges::none_of(shown.cloud->points, is_finite)) return;
-  view::StillOptions options;
+  view::StillOptions options{.up = up};
   options.raster.width = still_width;
   options.raster.height = still_height;
   const view::StillPicture still = view::draw_still({.before = shown}, options, execution);
@@ -42,8 +42,8 @@ void check_page_output(const std::string& path) {
 PreparedPage prepare_page(const view::Request& request, const view::SceneOptions& options,
                           const Execution& execution) {
   PreparedPage page;
-  add_still(request.before, page.stills, execution);
-  if (request.after) add_still(*request.after, page.stills, execution);
+  add_still(request.before, options.up, page.stills, execution);
+  if (request.after) add_still(*request.after, options.up, page.stills, execution);
   const std::size_t room =
       view::room_for_points(options, view::viewer_template(), room_for_report, page.stills);
   page.scene = view::make_scene(request, room, options, execution);

@@ -207,6 +207,31 @@ TEST(ViewStill, ColoursShowWhatTheyAreAskedFor) {
   EXPECT_THROW((void)draw_still({.before = {.name = "e", .cloud = &empty}}), DataError);
 }
 
+TEST(ViewStill, AnyAxisCanBeUp) {
+  PointCloud cloud = synthesize_part({.points = 2000, .noise = 0}).cloud;
+  cloud.normals.clear();
+  for (const View view : {View::Iso, View::Front, View::Top}) {
+    const StillOptions options{.view = view, .raster = {.width = 60, .height = 45}};
+    const Picture upright = draw_still({.before = {.name = "a", .cloud = &cloud}}, options).picture;
+    for (const Up up : {Up::Y, Up::X, Up::MinusZ, Up::MinusY, Up::MinusX}) {
+      const UpFrame frame = frame_of(up);
+      PointCloud turned;
+      for (const Vec3& p : cloud.points) {
+        turned.points.push_back(p.x * frame.right + p.y * frame.forward + p.z * frame.up);
+      }
+      StillOptions same = options;
+      same.up = up;
+      const Picture seen = draw_still({.before = {.name = "b", .cloud = &turned}}, same).picture;
+      // But for rounding.
+      std::size_t other = 0;
+      for (std::size_t i = 0; i < seen.rgb.size(); ++i) {
+        if (std::abs(seen.rgb[i] - upright.rgb[i]) > 40) ++other;
+      }
+      EXPECT_LT(other, seen.rgb.size() / 50) << to_string(up);
+    }
+  }
+}
+
 TEST(ViewStill, MovementAlongNormalsHasASign) {
   const PointCloud before = synthesize_part({.points = 500, .noise = 0}).cloud;
   PointCloud after = before;

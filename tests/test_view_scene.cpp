@@ -217,6 +217,94 @@ TEST(ViewScene, ShowsWhatWasLeftOutAfterThePairs) {
   }
 }
 
+TEST(ViewScene, WhatWasRemovedIsAnOutlierWhateverElseIsKnown) {
+  const PointCloud plain = synthesize_part({.points = 60}).cloud;
+  PointCloud labelled = plain;
+  labelled.attributes.push_back({"deburr_label", std::vector<std::uint8_t>(60, 2), {}});
+  PointCloud after;
+  std::vector<std::uint32_t> origin;
+  for (std::uint32_t i = 0; i < 60; ++i) {
+    if (i % 10 == 3) continue;
+    after.points.push_back(plain.points[i]);
+    origin.push_back(i);
+  }
+  // Labels of the first cloud stay; without any, those in both clouds have an unknown one.
+  for (const PointCloud* before : {&plain, static_cast<const PointCloud*>(&labelled)}) {
+    const Decoded page(make_scene({.before = {.name = "a", .cloud = before},
+                                   .after = ShownCloud{.name = "b", .cloud = &after},
+                                   .origin = origin},
+                                  plenty));
+    EXPECT_EQ(page.about()["removed"], 6);
+    const int label = before == &plain ? 7 : 2;
+    for (std::size_t k = 0; k < 60; ++k) {
+      EXPECT_EQ(page.value(0, "flags", k), k < 54 ? label : label + 8);
+    }
+  }
+  // Where nothing was removed nothing is said.
+  const Decoded whole(make_scene(
+      {.before = {.name = "a", .cloud = &plain}, .after = ShownCloud{.name = "b", .cloud = &plain}},
+      plenty));
+  EXPECT_EQ(whole.about()["removed"], 0);
+  EXPECT_FALSE(whole.has(0, "flags"));
+}
+
+/// What is left of a cloud without every tenth point, moved, with the field that says how far.
+PointCloud without_some(const PointCloud& before) {
+  PointCloud after;
+  std::vector<float> moved;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (i % 10 == 3) continue;
+    const double by = 0.01 * static_cast<double>(i % 17);
+    after.points.push_back(before.points[i] + Vec3{0, 0, by});
+    after.normals.push_back({0, 0, 1});
+    moved.push_back(static_cast<float>(by));
+  }
+  after.attributes.push_back({"deburr_displacement", moved, {}});
+  return after;
+}
+
+TEST(ViewScene, FindsWhatWasRemovedByHowFarTheOthersMoved) {
+  PointCloud before = survey(200);
+  before.points[50].x = nan;
+  PointCloud after = without_some(before);
+  const auto scene = [&] {
+    return make_scene({.before = {.name = "a", .cloud = &before},
+                       .after = ShownCloud{.name = "b", .cloud = &after}},
+                      plenty);
+  };
+  const Scene paired = scene();
+  EXPECT_TRUE(paired.paired);
+  EXPECT_TRUE(paired.warnings.empty());
+  const Decoded page(paired);
+  EXPECT_EQ(page.about()["removed"], 20);
+  EXPECT_EQ(page.about()["displacement"]["signed"], true);
+  ASSERT_EQ(page.shown(1), 179U);
+  for (std::size_t k = 0; k < 179; ++k) {
+    const Vec3 moved = page.point(1, k) - page.point(0, k);
+    EXPECT_NEAR(moved.x, 0, 1e-4);
+    EXPECT_NEAR(moved.z, page.value(1, "displacement", k), 1e-4);
+  }
+  for (std::size_t k = 179; k < page.shown(0); ++k) EXPECT_GE(page.value(0, "flags", k), 8);
+
+  // One point that does not fit, another order, or nothing that says how far: no pairs.
+  const PointCloud good = after;
+  after.points[90].x += 3;
+  EXPECT_FALSE(scene().paired);
+  after = good;
+  std::ranges::reverse(after.points);
+  EXPECT_FALSE(scene().paired);
+  after = good;
+  after.attributes.clear();
+  EXPECT_FALSE(scene().paired);
+}
+
+TEST(ViewScene, TellsWhichAxisIsUp) {
+  const PointCloud cloud = survey(20);
+  const Request request{.before = {.name = "a", .cloud = &cloud}};
+  EXPECT_EQ(Decoded(make_scene(request, plenty)).about()["up"], "z");
+  EXPECT_EQ(Decoded(make_scene(request, plenty, {.up = Up::MinusY})).about()["up"], "-y");
+}
+
 TEST(ViewScene, LeavesOutWhatIsNotFinite) {
   PointCloud before = survey(100);
   PointCloud after = before;

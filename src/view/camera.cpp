@@ -11,6 +11,7 @@ namespace {
 constexpr double left_out = 0.001;  // of the points, at each side
 constexpr double margin = 1.06;
 
+/// Towards the viewer: to the right, away from the front, and up.
 Vec3 direction_of(View view) {
   switch (view) {
     case View::Iso:
@@ -53,11 +54,13 @@ Range robust_range(std::vector<double>& values) {
 
 }  // namespace
 
-Camera Camera::fit(View view, Points points, int width, int height) {
+Camera Camera::fit(View view, Points points, int width, int height, Up up) {
   Camera camera;
-  camera.towards = unit(direction_of(view));
-  const bool along_height = std::abs(camera.towards.z) > 0.999;
-  const Vec3 upwards = along_height ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  const UpFrame frame = frame_of(up);
+  const Vec3 towards = unit(direction_of(view));
+  camera.towards = towards.x * frame.right + towards.y * frame.forward + towards.z * frame.up;
+  const bool along_height = std::abs(towards.z) > 0.999;
+  const Vec3 upwards = along_height ? frame.forward : frame.up;
   camera.right = unit(cross(upwards, camera.towards));
   camera.up = cross(camera.towards, camera.right);
 

@@ -85,10 +85,19 @@ void CloudPacker::estimate_normals(const SceneOptions& options, const Execution&
 }
 
 void CloudPacker::adopt_flags(const CloudPacker& other, std::span<const std::uint32_t> origin) {
-  if (other.flags_.empty() || !flags_.empty()) return;
-  // What is in no pair was left out of the other cloud, as outliers are.
-  flags_.assign(cloud().size(), unknown_label | outlier_flag);
-  for (std::size_t i = 0; i < origin.size(); ++i) flags_[origin[i]] = other.flags_[i];
+  std::vector<bool> alone(cloud().size(), true);
+  for (const std::uint32_t i : origin) alone[i] = false;
+  const bool any_alone = std::ranges::find(alone, true) != alone.end();
+  if (flags_.empty()) {
+    if (other.flags_.empty() && !any_alone) return;
+    flags_.assign(cloud().size(), unknown_label);
+    for (std::size_t i = 0; i < origin.size() && !other.flags_.empty(); ++i) {
+      flags_[origin[i]] = other.flags_[i];
+    }
+  }
+  for (std::size_t i = 0; i < flags_.size(); ++i) {
+    if (alone[i]) flags_[i] |= outlier_flag;
+  }
 }
 
 std::size_t CloudPacker::bytes_per_point() const {

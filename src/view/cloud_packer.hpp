@@ -27,6 +27,8 @@ class CloudPacker {
   /// Gives the points a displacement, one number per point.
   void set_displacement(std::span<const double> values) { displacement_ = values; }
   /// Labels that stand with the same points of another cloud; used where there are no own ones.
+  /// Points that the other cloud has not were left out of it, as outliers are: they are marked so.
+  /// @param origin  of every point of the other cloud, its index in this one
   void adopt_flags(const CloudPacker& other, std::span<const std::uint32_t> origin);
 
   [[nodiscard]] std::size_t bytes_per_point() const;

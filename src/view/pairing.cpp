@@ -11,6 +11,7 @@
 
 #include "box.hpp"
 #include "view/fields.hpp"
+#include "view/left_out.hpp"
 
 namespace deburr::view {
 namespace {
@@ -33,7 +34,10 @@ void check_origin(const Request& request) {
 
 std::vector<std::uint32_t> find_origin(const Request& request) {
   if (!request.origin.empty()) return {request.origin.begin(), request.origin.end()};
-  if (!request.after || request.after->cloud->size() != request.before.cloud->size()) return {};
+  if (!request.after) return {};
+  if (request.after->cloud->size() != request.before.cloud->size()) {
+    return match_without_removed(*request.before.cloud, *request.after->cloud);
+  }
   std::vector<std::uint32_t> same(request.before.cloud->size());
   std::iota(same.begin(), same.end(), 0U);
   return same;
@@ -78,7 +82,7 @@ Pairing pair_points(const Request& request) {
   const PointCloud& last = *shown.cloud;
   pairing.origin = find_origin(request);
   pairing.paired = !pairing.origin.empty();
-  if (pairing.paired && request.origin.empty() &&
+  if (pairing.paired && request.origin.empty() && last.size() == request.before.cloud->size() &&
       !plausible(request.before.cloud->points, last.points)) {
     pairing.warnings.push_back(
         fmt::format("{} and {} have as many points, but these are not the same points in the same "

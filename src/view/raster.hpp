@@ -8,10 +8,11 @@
 
 #include "deburr/vec3.hpp"
 #include "view/fields.hpp"
+#include "view/up.hpp"
 
 namespace deburr::view {
 
-/// Where a picture is taken from.
+/// Where a picture is taken from: from the front of the frame of Up, from its back and so on.
 enum class View { Iso, Front, Back, Left, Right, Top, Bottom };
 
 /// A view without perspective.
@@ -23,7 +24,7 @@ struct Camera {
   double scale = 1;  ///< pixels per unit
 
   /// Shows nearly all of the finite points; a few that lie far off may be outside.
-  static Camera fit(View view, Points points, int width, int height);
+  static Camera fit(View view, Points points, int width, int height, Up up = Up::Z);
 };
 
 /// Points as discs on their surface.

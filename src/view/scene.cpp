@@ -138,7 +138,15 @@ Scene make_scene(const Request& request, std::size_t room, const SceneOptions& o
     }
   }
   for (const Json& cloud : clouds) scene.shown.push_back(cloud["shown"]);
-  Json json{{"format", 1}, {"paired", pairing.paired}, {"clouds", std::move(clouds)}};
+  const std::size_t removed =
+      pairing.paired
+          ? before.cloud().size() - std::min(before.cloud().size(), pairing.origin.size())
+          : 0;
+  Json json{{"format", 1},
+            {"up", to_string(options.up)},
+            {"paired", pairing.paired},
+            {"removed", removed},
+            {"clouds", std::move(clouds)}};
   if (!pairing.displacement.empty()) {
     json["displacement"] = describe_values(pairing.displacement);
     json["displacement"]["signed"] = pairing.is_signed;

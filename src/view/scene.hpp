@@ -12,6 +12,7 @@
 #include "deburr/execution.hpp"
 #include "deburr/features.hpp"
 #include "deburr/point_cloud.hpp"
+#include "view/up.hpp"
 
 namespace deburr::view {
 
@@ -30,13 +31,15 @@ struct Request {
   ShownCloud before;
   std::optional<ShownCloud> after{};  ///< without it one cloud is shown
   /// For each point of `after` the index of the same point in `before`. Empty: clouds of one size
-  /// hold the same points in the same order, unless they lie so far apart that this cannot be.
+  /// hold the same points in the same order, unless they lie so far apart that this cannot be. A
+  /// smaller one is matched with the first where its deburr_displacement tells how.
   std::span<const std::uint32_t> origin{};
 };
 
 struct SceneOptions {
   std::size_t max_bytes = 12'000'000;  ///< of a whole page
   std::size_t normal_neighbors = 12;   ///< for normals, where a cloud has none
+  Up up = Up::Z;                       ///< axis that points up at first
 };
 
 /// Points as a page holds them.

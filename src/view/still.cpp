@@ -12,6 +12,7 @@
 #include "spatial_order.hpp"
 #include "view/colours.hpp"
 #include "view/fields.hpp"
+#include "view/legend.hpp"
 #include "view/pairing.hpp"
 #include "view/statistics.hpp"
 #include "view/subsample.hpp"
@@ -76,6 +77,27 @@ std::vector<std::uint32_t> choose(const ShownCloud& shown, std::size_t most,
   return even_subsample(shown.cloud->points, finite, most, execution);
 }
 
+/// What the colours mean; without a map and patches for those that mean themselves.
+Legend legend_of(StillColour colour, const StillPicture& still) {
+  if (colour == StillColour::Displacement) {
+    return still.is_signed ? Legend{.title = "displacement along the normals, in file units",
+                                    .map = diverging,
+                                    .low = -still.range,
+                                    .high = still.range}
+                           : Legend{.title = "displacement, in file units",
+                                    .map = sequential,
+                                    .low = 0,
+                                    .high = still.range};
+  }
+  Legend legend;
+  if (colour != StillColour::Labels) return legend;
+  for (std::size_t i = 0; i < label_colours.size(); ++i) {
+    legend.patches.push_back({std::string(to_string(static_cast<Feature>(i))), label_colours[i]});
+  }
+  legend.patches.push_back({"outlier", outlier_colour});
+  return legend;
+}
+
 }  // namespace
 
 StillPicture draw_still(const Request& request, const StillOptions& options,
@@ -101,12 +123,20 @@ StillPicture draw_still(const Request& request, const StillOptions& options,
   const std::vector<Vec3> normals = shown.cloud->normals.empty()
                                         ? estimate_normals(points, nearest, execution)
                                         : gather<Vec3>(shown.cloud->normals, chosen);
-  const Camera camera = Camera::fit(options.view, points, raster.width, raster.height);
+  const Legend legend = legend_of(options.colour, still);
+  LegendSize strip;
+  if (options.legend && !(legend.map.empty() && legend.patches.empty())) {
+    strip = size_of(legend, raster.width, raster.height);
+  }
+  still.legend = strip.scale > 0;
+  raster.height -= strip.height;
+  const Camera camera = Camera::fit(options.view, points, raster.width, raster.height, options.up);
   still.picture = draw({.points = points,
                         .normals = normals,
                         .colours = colours,
                         .radius = spacing > 0 ? disc_in_spacings * spacing : 1},
                        camera, raster);
+  append(legend, strip, raster.background, still.picture);
   return still;
 }
 

@@ -72,8 +72,8 @@ TEST_F(CliView, MakesAPageOfTwoClouds) {
   if (!has_viewer) {
     GTEST_SKIP() << "NOT TESTED: this build has no page; Node.js and -DDEBURR_VIEWER=ON make one";
   }
-  const Outcome outcome = run_program(
-      {"view", "noisy.ply", "clean.ply", "-o", "x.html", "--truth", "truth.ply", "--json"});
+  const Outcome outcome = run_program({"view", "noisy.ply", "clean.ply", "-o", "x.html", "--truth",
+                                       "truth.ply", "--up", "-y", "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json told = json::parse(outcome.out);
   EXPECT_EQ(told["bytes"], std::filesystem::file_size("x.html"));
@@ -83,6 +83,7 @@ TEST_F(CliView, MakesAPageOfTwoClouds) {
   EXPECT_THAT(html, StartsWith("<!doctype html>"));
   const json scene = json::parse(block(html, "scene"));
   EXPECT_EQ(scene["clouds"][0]["name"], "noisy.ply");
+  EXPECT_EQ(scene["up"], "-y");
   EXPECT_EQ(scene["displacement"]["signed"], true);
   EXPECT_LT(scene["truth"][1]["max"].get<double>(), 1e-6);
   EXPECT_GT(scene["truth"][0]["mean"].get<double>(), 0.1);
@@ -125,9 +126,35 @@ TEST_F(CliView, TheReportOfARunCanBeAPage) {
   EXPECT_EQ(scene["paired"], true);
   EXPECT_EQ(scene["clouds"][0]["shown"], 500);
   EXPECT_EQ(scene["clouds"][1]["shown"], json::parse(outcome.out)["kept"]);
+  EXPECT_EQ(scene["removed"], json::parse(outcome.out)["outliers"]);
   // Of the numbers that told the points apart nothing is left.
   EXPECT_EQ(lines_of(read_text("out.xyz"))[0].find("deburr"), std::string::npos);
   EXPECT_TRUE(read_cloud("out.xyz").attributes.empty());
+}
+
+TEST_F(CliView, AResultWithoutItsOutliersIsPairedWithItsInput) {
+  if (!has_viewer) {
+    GTEST_SKIP() << "NOT TESTED: this build has no page; Node.js and -DDEBURR_VIEWER=ON make one";
+  }
+  // Formats keep coordinates and the field in their own ways.
+  for (const std::string name : {"out.ply", "out.las", "out.csv"}) {
+    ASSERT_EQ(run_program({"synth", "part", "many.ply", "--points", "3000", "--outliers", "0.02"})
+                  .exit_code,
+              0);
+    const Outcome run = run_program({"denoise", "many.ply", name, "--outliers", "remove", "--add",
+                                     "normals,label,displacement", "--json"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const Outcome page = run_program({"view", "many.ply", name, "-o", "x.html", "--json"});
+    ASSERT_EQ(page.exit_code, 0) << page.err;
+    EXPECT_EQ(json::parse(page.out)["paired"], true) << name;
+    const json scene = json::parse(block(read_text("x.html"), "scene"));
+    EXPECT_EQ(scene["removed"], json::parse(run.out)["outliers"]);
+    EXPECT_GT(scene["removed"], 30);
+    EXPECT_EQ(run_program({"render", name, "x.png", "--before", "many.ply", "--color",
+                           "displacement", "--size=64x48"})
+                  .exit_code,
+              0);
+  }
 }
 
 TEST_F(CliView, TheResultIsTheSameWithAPage) {
@@ -186,6 +213,8 @@ TEST_F(CliView, RendersAPicture) {
   EXPECT_EQ(told["height"], 48);
   EXPECT_EQ(told["view"], "top");
   EXPECT_EQ(told["points"], 500);
+  EXPECT_EQ(told["up"], "z");
+  EXPECT_EQ(told["legend"], false);
   const Outcome piped =
       run_program({"render", "-", "-", "--size", "64x48", "--view", "top"}, "noisy.ply");
   EXPECT_EQ(piped.out, read_text("x.png"));
@@ -200,6 +229,36 @@ TEST_F(CliView, RendersWhatAFileHasOnly) {
                                        "--color", "displacement", "--range", "0.5", "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(json::parse(outcome.out)["range"], json::parse("[-0.5,0.5]"));
+}
+
+TEST_F(CliView, RendersWithAnotherAxisUp) {
+  const auto picture = [&](const std::string& up) {
+    const Outcome outcome =
+        run_program({"render", "noisy.ply", "x.png", "--size", "64x48", "--up", up, "--json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(json::parse(outcome.out)["up"], up);
+    return read_text("x.png");
+  };
+  const std::string upright = picture("z");
+  EXPECT_NE(picture("y"), upright);
+  EXPECT_NE(picture("-z"), upright);
+  expect_error({"render", "noisy.ply", "y.png", "--up", "w"}, 2, "--up");
+  EXPECT_FALSE(std::filesystem::exists("y.png"));
+}
+
+TEST_F(CliView, ALegendCanBeLeftOut) {
+  const std::vector<std::string> args{"render",       "clean.ply",      "x.png",
+                                      "--before",     "noisy.ply",      "--color",
+                                      "displacement", "--size=320x240", "--json"};
+  const auto legend = [&](const std::vector<std::string>& all) {
+    const Outcome outcome = run_program(all);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out)["legend"].get<bool>();
+  };
+  EXPECT_TRUE(legend(args));
+  std::vector<std::string> without = args;
+  without.emplace_back("--no-legend");
+  EXPECT_FALSE(legend(without));
 }
 
 TEST_F(CliView, RefusesPicturesThatCannotBe) {

@@ -5,32 +5,20 @@ import { availableModes, firstRange, mapOf, paint, valuesOf, type Range } from '
 import { hasOutliers, sceneOrigin, type Cloud } from './data/cloud';
 import type { DenoiseReport, SceneInfo } from './data/scene';
 import { Stage, type Drawn } from './scene/stage';
+import { upNamed } from './scene/up';
 import { Store } from './state';
 import { el } from './ui/dom';
-import { baseName, count } from './ui/format';
 import { helpDialog, press } from './ui/keys';
 import { legend } from './ui/legend';
 import { pickedPanel } from './ui/picked';
 import { reportPanel } from './ui/report';
 import { SectionPanel } from './ui/section_panel';
 import { pageButtons, toolbar } from './ui/toolbar';
+import { shownText, titleOf } from './ui/words';
 
 const clickTravel = 4; // pixels that a click may move
 const shapeLight = 0.75; // how much brightness tells the shape where it is all there is to see
 const colourLight = 0.3; // and where colours mean something
-
-export function titleOf(scene: SceneInfo): string {
-  return scene.clouds.map((cloud) => baseName(cloud.name)).join(' → ');
-}
-
-export function shownText(scene: SceneInfo): string {
-  const shown = scene.clouds.map((cloud) => cloud.shown);
-  const all = scene.clouds.map((cloud) => cloud.points);
-  const same = new Set(shown).size === 1 && new Set(all).size === 1;
-  const parts = (same ? [0] : [...shown.keys()]).map((k) =>
-    `${count(shown[k])} of ${count(all[k])} points`);
-  return `Shows ${parts.join(' and ')}${same && shown.length > 1 ? ', before and after' : ''}`;
-}
 
 export class App {
   private readonly store: Store;
@@ -51,10 +39,14 @@ export class App {
     const dark = window.matchMedia('(prefers-color-scheme: dark)').matches;
     this.store = new Store({
       layout: 'side', mode: 'normals', ranges: {}, pointSize: 2.4, orthographic: false,
-      hideOutliers: false, wipe: 0.5, picked: undefined, dark,
+      up: upNamed(scene.up), hideOutliers: false, wipe: 0.5, picked: undefined, dark,
       slab: { on: false, axis: 'y', position: 0.5, thickness: 3, keepBehind: true },
     });
     this.stage = new Stage(this.host, clouds, this.store);
+    // Before all who draw with the colours of the page.
+    this.store.watch((state, changed) => {
+      if (changed.has('dark')) this.applyTheme(state.dark);
+    });
     const help = helpDialog();
     const actions = {
       fit: () => this.stage.rig.fit(),
@@ -87,7 +79,6 @@ export class App {
       this.live, help);
     this.listen(modes, actions);
     this.store.watch((state, changed) => {
-      if (changed.has('dark')) this.applyTheme(state.dark);
       if (changed.has('orthographic')) this.stage.rig.setOrthographic(state.orthographic);
       if (changed.has('mode') || changed.has('ranges')) {
         legendHost.replaceChildren(legend(state.mode, scene, this.range(), (r) => this.setRange(r)));
@@ -165,8 +156,17 @@ export class App {
       event.preventDefault();
       wipeTo((this.store.get().wipe + by) * this.host.clientWidth);
     });
-    window.addEventListener('beforeprint', () => this.stillForPaper());
-    window.addEventListener('afterprint', () => this.host.querySelector('img')?.remove());
+    let dark: boolean | undefined; // before the print
+    window.addEventListener('beforeprint', () => {
+      dark ??= this.store.get().dark;
+      this.store.set({ dark: false }); // also for the colours of the cross-section
+      this.stillForPaper();
+    });
+    window.addEventListener('afterprint', () => {
+      this.host.querySelector('img')?.remove();
+      if (dark !== undefined) this.store.set({ dark });
+      dark = undefined;
+    });
   }
 
   /** Browsers print a picture, but not always what WebGL has drawn. */
@@ -175,7 +175,7 @@ export class App {
     this.stage.draw();
     this.host.querySelector('img')?.remove();
     this.host.append(el('img', { alt: '', class: 'paper', src: this.stage.canvas.toDataURL() }));
-    this.applyTheme(this.store.get().dark);
+    this.applyTheme(false);
   }
 
   private drawn({ panes }: Drawn): void {
@@ -185,11 +185,13 @@ export class App {
     this.divider.style.left = `${100 * state.wipe}%`;
     this.divider.setAttribute('aria-valuenow', String(Math.round(100 * state.wipe)));
     const marks: Node[] = [];
+    // In shares of the picture, which has another size on paper.
+    const { clientWidth, clientHeight } = this.host;
     for (const pane of panes) {
       const { clip } = pane;
       if (this.clouds.length > 1) {
         const name = el('span', { class: 'name' }, pane.cloud === 0 ? 'before' : 'after');
-        name.style.left = `${clip.x + 8}px`;
+        name.style.left = `${(100 * clip.x) / clientWidth}%`;
         name.hidden = clip.width < 60;
         marks.push(name);
       }
@@ -198,8 +200,8 @@ export class App {
       const place = here ? this.stage.place(pane, picked.point) : undefined;
       if (!place) continue;
       const ring = el('span', { class: 'ring' });
-      ring.style.left = `${place.x}px`;
-      ring.style.top = `${place.y}px`;
+      ring.style.left = `${(100 * place.x) / clientWidth}%`;
+      ring.style.top = `${(100 * place.y) / clientHeight}%`;
       marks.push(ring);
     }
     this.overlay.replaceChildren(...marks);

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The deburr authors
 // SPDX-License-Identifier: Apache-2.0
-import { App, titleOf } from './app';
+import { App } from './app';
 import { fromBase64 } from './data/bytes';
 import { decodeScene } from './data/cloud';
 import { parseScene, type DenoiseReport } from './data/scene';
 import './page.css';
 import { el } from './ui/dom';
 import { reportPanel } from './ui/report';
+import { titleOf } from './ui/words';
 
 function block(name: string): string | undefined {
   return document.getElementById(`deburr-${name}`)?.textContent ?? undefined;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the user has chosen. Everything that is shown follows from it.
 import type { Mode, Range } from './colour/modes';
+import type { Up } from './scene/up';
 
 export type Layout = 'side' | 'wipe' | 'before' | 'after';
 export type Axis = 'x' | 'y' | 'z' | 'view';
@@ -24,6 +25,8 @@ export interface State {
   /** Diameter of a point in mean spacings. */
   pointSize: number;
   orthographic: boolean;
+  /** The axis of the file that points up. */
+  up: Up;
   hideOutliers: boolean;
   /** Where the wipe stands, as a share of the width. */
   wipe: number;

@@ -44,7 +44,11 @@ export interface DisplacementInfo extends Summary {
 
 export interface SceneInfo {
   format: number;
+  /** The axis that points up at first. */
+  up?: string;
   paired: boolean;
+  /** Points of the first cloud that were left out of the second; of pairs only. */
+  removed?: number;
   clouds: CloudInfo[];
   displacement?: DisplacementInfo;
   truth?: Summary[];

@@ -3,12 +3,15 @@
 // The one camera of all panes, with or without perspective, and what moves it.
 import { OrthographicCamera, PerspectiveCamera, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { Vec3 } from '../data/cloud';
 import type { Extent } from '../data/extent';
+import { frameOf, fromFile, toFile, type Up } from './up';
 
 const fieldOfView = 35; // degrees
 const margin = 1.05;
 const halfAngle = Math.tan(((fieldOfView / 2) * Math.PI) / 180);
 
+/** Where the viewer stands: to the right, behind and above what is looked at. */
 export const views = {
   iso: [1, -1.6, 1],
   front: [0, -1, 0],
@@ -23,16 +26,47 @@ export type ViewName = keyof typeof views;
 export class Rig {
   readonly perspective = new PerspectiveCamera(fieldOfView, 1, 0.01, 100);
   readonly orthographic = new OrthographicCamera(-1, 1, 1, -1, 0, 100);
-  private readonly controls: OrbitControls;
+  private controls: OrbitControls;
+  private frame;
   private aspect = 1; // of the pane that was drawn last
 
-  constructor(element: HTMLElement, private readonly extent: Extent, moved: () => void) {
-    // Height is up, as in files of scans; this has to be known before the controls.
-    this.perspective.up.set(0, 0, 1);
-    this.orthographic.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.perspective, element);
-    this.controls.addEventListener('change', moved);
+  constructor(
+    private readonly element: HTMLElement, private readonly extent: Extent, up: Up,
+    private readonly moved: () => void, private readonly held: (held: boolean) => void,
+  ) {
+    this.frame = frameOf(up);
+    this.controls = this.newControls(this.perspective);
     this.look('iso');
+  }
+
+  /** Controls have to know at birth what is up. */
+  private newControls(camera: PerspectiveCamera | OrthographicCamera): OrbitControls {
+    this.perspective.up.fromArray(this.frame.up);
+    this.orthographic.up.fromArray(this.frame.up);
+    const controls = new OrbitControls(camera, this.element);
+    controls.addEventListener('change', this.moved);
+    controls.addEventListener('start', () => this.held(true));
+    controls.addEventListener('end', () => this.held(false));
+    return controls;
+  }
+
+  /** Turns the whole: what was seen from the front is seen from the new front. */
+  setUp(up: Up): void {
+    const next = frameOf(up);
+    if (next === this.frame) return;
+    const target = this.target.clone();
+    const from = this.camera.position.clone().sub(target).toArray() as Vec3;
+    const camera = this.camera;
+    const turned = toFile(fromFile(from, this.frame), next);
+    this.frame = next;
+    this.controls.dispose();
+    this.held(false);
+    this.element.style.cursor = ''; // that of the style sheet
+    this.controls = this.newControls(camera);
+    this.controls.target.copy(target);
+    camera.position.copy(target).add(new Vector3(...turned));
+    this.controls.update();
+    this.moved();
   }
 
   get camera(): PerspectiveCamera | OrthographicCamera {
@@ -53,7 +87,7 @@ export class Rig {
   /** Shows everything from one side. */
   look(name: ViewName): void {
     this.controls.target.fromArray(this.extent.centre);
-    this.place(new Vector3().fromArray(views[name]).normalize());
+    this.place(new Vector3(...toFile([...views[name]], this.frame)).normalize());
   }
 
   /** Shows everything from where the viewer is. */
@@ -65,7 +99,10 @@ export class Rig {
 
   private place(direction: Vector3): void {
     // Straight from above nothing tells where the top of the picture is.
-    if (Math.abs(direction.z) > 0.999) direction.add(new Vector3(0, -1e-3, 0)).normalize();
+    const { up, forward } = this.frame;
+    if (Math.abs(direction.dot(new Vector3(...up))) > 0.999) {
+      direction.addScaledVector(new Vector3(...forward), -1e-3).normalize();
+    }
     const { half, distance } = this.needed(direction);
     this.orthographic.zoom = 1 / half;
     this.camera.position.copy(this.target).addScaledVector(direction, distance);
@@ -77,8 +114,8 @@ export class Rig {
     const right = new Vector3().crossVectors(this.perspective.up, direction).normalize();
     const up = new Vector3().crossVectors(direction, right);
     const { low, high, centre, radius } = this.extent;
-    let half = 1e-6 * radius;
-    let distance = half;
+    let half = 0;
+    let distance = 0;
     for (let corner = 0; corner < 8; ++corner) {
       const at = new Vector3().fromArray([0, 1, 2].map((k) =>
         ((corner >> k) & 1 ? high[k]! : low[k]!) - centre[k]!));
@@ -89,7 +126,8 @@ export class Rig {
       half = Math.max(half, reach);
       distance = Math.max(distance, at.dot(direction) + reach / halfAngle);
     }
-    return { half, distance };
+    // A single point, or a line from its end, is shown with what a cloud of its size would need.
+    return half > 1e-6 * radius ? { half, distance } : { half: radius, distance: radius / halfAngle };
   }
 
   setOrthographic(on: boolean): void {
@@ -106,16 +144,16 @@ export class Rig {
 
   /** Turns around the target, angles in radians. */
   orbit(right: number, up: number): void {
-    const around = new Spherical().setFromVector3(this.yUp(this.camera.position.clone().sub(this.target)));
+    // Spherical has y up.
+    const [x, away, height] =
+      fromFile(this.camera.position.clone().sub(this.target).toArray() as Vec3, this.frame);
+    const around = new Spherical().setFromVector3(new Vector3(x, height, -away));
     around.theta += right;
     around.phi = Math.min(Math.max(around.phi - up, 1e-3), Math.PI - 1e-3);
     const offset = new Vector3().setFromSpherical(around);
-    this.camera.position.copy(this.target).add(new Vector3(offset.x, -offset.z, offset.y));
+    this.camera.position.copy(this.target)
+      .add(new Vector3(...toFile([offset.x, -offset.z, offset.y], this.frame)));
     this.controls.update();
-  }
-
-  private yUp(v: Vector3): Vector3 {
-    return new Vector3(v.x, v.z, -v.y);
   }
 
   /** Moves sideways, in shares of the height of the view. */

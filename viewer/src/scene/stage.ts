@@ -37,6 +37,8 @@ export class Stage {
   private queued = false;
   private first = true;
   private lastMoved = -Infinity;
+  private coarse = false; // whether the last picture lacks points
+  private held = false; // by a pointer: to draw everything then would stop it on a slow machine
   private settle = 0;
   private background = new Color(0xffffff);
 
@@ -62,7 +64,13 @@ export class Stage {
     });
     this.budget = new FrameBudget(clouds.reduce((sum, cloud) => sum + cloud.count, 0));
     host.prepend(this.canvas);
-    this.rig = new Rig(this.canvas, this.extent, () => this.moved());
+    this.rig = new Rig(this.canvas, this.extent, store.get().up, () => this.moved(), (held) => {
+      this.held = held;
+      if (!held && this.coarse) this.moved();
+    });
+    store.watch((state, changed) => {
+      if (changed.has('up')) this.rig.setUp(state.up);
+    });
     new ResizeObserver(() => this.request()).observe(host);
   }
 
@@ -116,8 +124,9 @@ export class Stage {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (width === 0 || height === 0) return;
     const began = performance.now();
-    const moving = began - this.lastMoved < settleAfter;
+    const moving = this.held || began - this.lastMoved < settleAfter;
     const share = moving ? this.budget.moving : 1;
+    this.coarse = moving;
     this.resize(width, height);
     this.look.hideOutliers.value = state.hideOutliers;
     // Fewer points have to be larger to close the surface.

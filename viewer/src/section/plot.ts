@@ -2,17 +2,31 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture of a slab from its side: the noisy points as a cloud of dots, the clean ones as an
 // outline, over a grid in file units.
+import type { Vec3 } from '../data/cloud';
 import { short } from '../ui/format';
 import type { Segments } from './outline';
 import type { Projected } from './slab';
+
+/** An axis of the file in the picture: its coordinates are sign * place + origin. */
+export interface PictureAxis {
+  name: string;
+  sign: number;
+  origin: number;
+}
+
+/** The axis along a direction that is one, with the file coordinates of the middle of the scene. */
+export function pictureAxis(direction: Vec3, origin: Vec3): PictureAxis {
+  const k = direction.findIndex((v) => v !== 0);
+  return { name: 'xyz'[k]!, sign: Math.sign(direction[k]!), origin: origin[k]! };
+}
 
 export interface SectionPicture {
   before?: Projected | undefined;
   after?: Projected | undefined;
   /** Of the clean points, or of the only ones. */
   lines: Segments;
-  /** What has to be added to places to get coordinates of the file. */
-  origin: [number, number];
+  /** To the right and upwards, one axis of the file each; none where the picture faces the view. */
+  axes?: [PictureAxis, PictureAxis] | undefined;
   names: [string, string];
 }
 
@@ -62,29 +76,42 @@ function drawGrid(
   paper.fillStyle = colours.text;
   paper.font = '11px system-ui, sans-serif';
   paper.lineWidth = 1;
-  const lines = (along: number, span: number, origin: number, each: (at: number, text: string) => void) => {
-    const low = along - span / seen.scale / 2 + origin;
-    const high = along + span / seen.scale / 2 + origin;
-    for (let k = Math.ceil(low / step); k * step <= high; ++k) {
-      const decimals = Math.max(0, -Math.floor(Math.log10(step)));
-      each((k * step - low) * seen.scale, (k * step).toFixed(decimals));
+  const decimals = Math.max(0, -Math.floor(Math.log10(step)));
+  const lines = (middle: number, span: number, axis: PictureAxis | undefined, each: (at: number, text: string) => void) => {
+    const { sign, origin } = axis ?? { sign: 1, origin: 0 };
+    const half = span / seen.scale / 2;
+    const low = sign * middle + origin - half; // of the coordinates that are seen
+    for (let k = Math.ceil(low / step); k * step <= low + 2 * half; ++k) {
+      const along = (k * step - low) * seen.scale;
+      each(sign > 0 ? along : span - along, (k * step).toFixed(decimals));
     }
   };
-  lines(seen.x, width, picture.origin[0], (at, text) => {
+  lines(seen.x, width, picture.axes?.[0], (at, text) => {
     paper.beginPath();
     paper.moveTo(Math.round(at) + 0.5, 0);
     paper.lineTo(Math.round(at) + 0.5, height);
     paper.stroke();
     if (at > 50) paper.fillText(text, at + 3, height - 4); // not over those of the other axis
   });
-  lines(seen.y, height, picture.origin[1], (at, text) => {
+  lines(seen.y, height, picture.axes?.[1], (at, text) => {
     const y = Math.round(height - at) + 0.5;
     paper.beginPath();
     paper.moveTo(0, y);
     paper.lineTo(width, y);
     paper.stroke();
-    paper.fillText(text, 3, y - 3);
+    if (y > 30) paper.fillText(text, 3, y - 3); // not over the name of the axis
   });
+  if (!picture.axes) return;
+  paper.font = 'bold 12px system-ui, sans-serif';
+  paper.textAlign = 'right';
+  paper.fillText(axisName(picture.axes[0], '→', '←'), width - 5, height - 18);
+  paper.textAlign = 'left';
+  paper.fillText(axisName(picture.axes[1], '↑', '↓'), 3, 13);
+}
+
+/** An arrow to where its coordinates grow. */
+function axisName({ name, sign }: PictureAxis, along: string, against: string): string {
+  return `${name} ${sign > 0 ? along : against}`;
 }
 
 export function drawSection(

@@ -3,6 +3,7 @@
 // A slab through the clouds: where it lies, and what the points in it look like from its side.
 import type { Vec3 } from '../data/cloud';
 import type { Extent } from '../data/extent';
+import { frameOf, type Up } from '../scene/up';
 import type { Slab } from '../state';
 
 /** Directions across the slab, to the right and up in its picture. */
@@ -22,15 +23,24 @@ export function dot(a: Vec3, b: Vec3): number {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-const frames: Record<'x' | 'y' | 'z', Frame> = {
-  x: { normal: [1, 0, 0], right: [0, 1, 0], up: [0, 0, 1] },
-  y: { normal: [0, 1, 0], right: [1, 0, 0], up: [0, 0, 1] },
-  z: { normal: [0, 0, 1], right: [1, 0, 0], up: [0, 1, 0] },
-};
+const axes: Record<'x' | 'y' | 'z', Vec3> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
+
+/** A slab across an axis, with what is up in the view up in its picture; across that one, as seen
+ * from above. */
+export function axisFrame(axis: 'x' | 'y' | 'z', upAxis: Up): Frame {
+  const { right, forward, up } = frameOf(upAxis);
+  const normal = axes[axis];
+  if (dot(normal, up) !== 0) return { normal, right, up: forward };
+  const other = (['x', 'y', 'z'] as const).find((name) =>
+    name !== axis && dot(axes[name], up) === 0)!;
+  return { normal, right: axes[other], up };
+}
 
 /** @param facing  the directions of the viewer, for a slab that faces them */
-export function planeOf(slab: Slab, extent: Extent, spacing: number, facing: Frame): Plane {
-  const frame = slab.axis === 'view' ? facing : frames[slab.axis];
+export function planeOf(
+  slab: Slab, extent: Extent, spacing: number, facing: Frame, up: Up,
+): Plane {
+  const frame = slab.axis === 'view' ? facing : axisFrame(slab.axis, up);
   // The box has its farthest corner in this distance from its middle, along the normal.
   const reach = dot(frame.normal.map(Math.abs) as Vec3,
     extent.high.map((v, k) => (v - extent.low[k]!) / 2) as Vec3);

@@ -16,6 +16,7 @@ export function barTable(caption: string, bars: Bar[]): HTMLTableElement {
   const rows = bars.map((bar) => {
     const drawn = el('div', { class: 'bar' });
     drawn.style.width = `${(100 * bar.value) / most}%`;
+    if (bar.value > 0) drawn.style.minWidth = '1px';
     if (bar.colour) drawn.style.backgroundColor = bar.colour;
     return el('tr', {},
       el('th', { scope: 'row' }, bar.name),

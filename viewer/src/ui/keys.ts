@@ -4,6 +4,7 @@
 // of the page.
 import type { Mode } from '../colour/modes';
 import type { Rig } from '../scene/rig';
+import { nextUp } from '../scene/up';
 import type { Layout, Store } from '../state';
 import { el } from './dom';
 import { button } from './fields';
@@ -30,6 +31,7 @@ export const keyHelp: [string, string][] = [
   ['X  Y  Z  V', 'axis of the cross-section; V faces the viewer'],
   ['Page up, page down', 'move the cross-section'],
   ['O', 'with or without perspective'],
+  ['U', 'another axis up'],
   ['H', 'hide outliers'],
   ['[  ]', 'smaller, larger points'],
   ['Enter', 'pick the point in the middle'],
@@ -67,6 +69,7 @@ export function press(
     case 'PageUp': store.setSlab({ position: clamp(state.slab.position + slabStep) }); return true;
     case 'PageDown': store.setSlab({ position: clamp(state.slab.position - slabStep) }); return true;
     case 'o': store.set({ orthographic: !state.orthographic }); return true;
+    case 'u': store.set({ up: nextUp(state.up) }); return true;
     case 'h': store.set({ hideOutliers: !state.hideOutliers }); return true;
     case '[': store.set({ pointSize: Math.max(0.4, state.pointSize - 0.2) }); return true;
     case ']': store.set({ pointSize: Math.min(4, state.pointSize + 0.2) }); return true;

@@ -6,6 +6,7 @@ import { mapOf, modeNames, type Mode, type Range } from '../colour/modes';
 import type { SceneInfo } from '../data/scene';
 import { el } from './dom';
 import { short } from './format';
+import { removedText } from './words';
 
 const meanings: Record<Mode, string> = {
   normals: 'Brightness tells how a place faces the viewer.',
@@ -60,6 +61,10 @@ export function legend(
   if (mode === 'displacement' && scene.displacement?.signed) {
     meaning = 'How far each point was moved along its normal, in file units: ' +
       'outwards is positive.';
+  }
+  if (mode === 'displacement' && scene.removed) meaning += ' What was removed is grey.';
+  if (mode === 'labels' && scene.removed) {
+    meaning += ` ${removedText(scene.removed)}: they are shown before, not after.`;
   }
   return el('div', { class: 'legend', role: 'group', 'aria-label': `Legend: ${modeNames[mode]}` },
     ...parts, el('p', { class: 'note' }, meaning));

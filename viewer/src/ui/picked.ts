@@ -14,6 +14,12 @@ function place(cloud: Cloud, point: number): string {
   return coordinates(cloud, point).map((v, k) => coordinate(v, cloud.step[k]!)).join('  ');
 }
 
+function labelText(cloud: Cloud, point: number): string {
+  const label = labels[labelOf(cloud, point)]?.name;
+  const known = [label, isOutlier(cloud, point) ? 'outlier' : undefined].filter((name) => name);
+  return known.join(', ') || 'unknown';
+}
+
 /** The rows of the panel for one point; also what tests compare with the file. */
 export function pickedRows(
   scene: SceneInfo, clouds: Cloud[], cloud: number, point: number,
@@ -36,13 +42,15 @@ export function pickedRows(
   if (value !== undefined && Number.isFinite(value)) {
     rows.push([scene.displacement?.signed ? 'along the normal' : 'displacement', short(value)]);
   }
-  const normal = [0, 1, 2].map((k) => short(known.normals[3 * point + k]! / byteScale, 3));
+  // A page holds directions to about a degree.
+  const normal = [0, 1, 2].map((k) => (known.normals[3 * point + k]! / byteScale).toFixed(2));
   rows.push([known.info.estimatedNormals ? 'normal (estimated)' : 'normal', normal.join('  ')]);
-  if (known.flags) {
-    const label = labels[labelOf(known, point)]?.name ?? 'unknown';
-    rows.push(['label', isOutlier(known, point) ? `${label}, outlier` : label]);
+  if (known.flags) rows.push(['label', labelText(known, point)]);
+  if (scene.paired && !isPair) rows.push(['after', 'removed']);
+  const intensity = known.intensity?.[point];
+  if (intensity !== undefined) {
+    rows.push(['intensity', Number.isInteger(intensity) ? String(intensity) : short(intensity, 6)]);
   }
-  if (known.intensity) rows.push(['intensity', short(known.intensity[point], 6)]);
   if (known.colours) {
     rows.push(['colour', Array.from(known.colours.subarray(3 * point, 3 * point + 3)).join(' ')]);
   }

@@ -28,7 +28,7 @@ function filesPart(scene: SceneInfo, report: DenoiseReport | undefined, version:
   return parts;
 }
 
-function foundPart(report: DenoiseReport): Node {
+function foundPart(report: DenoiseReport, removed: boolean): Node {
   const rows: [string, string][] = [
     ['Noise (standard deviation)', short(report.noise)],
     ['Point spacing', short(report.spacing)],
@@ -36,7 +36,7 @@ function foundPart(report: DenoiseReport): Node {
     ['Bound on the movement', short(report.max_move)],
     ['Moved, root mean square', short(report.rms_displacement)],
     ['Moved at most', short(report.max_displacement)],
-    ['Outliers', count(report.outliers)],
+    ['Outliers', `${count(report.outliers)}${removed ? ', removed' : ''}`],
     ['Duplicates', count(report.duplicates)],
     ['Points not finite', count(report.non_finite)],
     ['Points written', count(report.kept)],
@@ -79,7 +79,7 @@ function summaryTable(caption: string, rows: [string, Summary][]): Node {
 
 function displacementPart(scene: SceneInfo): Node[] {
   const info = scene.displacement;
-  if (!info) return [];
+  if (!info || info.count === 0) return [];
   const range = { low: info.signed ? -info.range : 0, high: info.range };
   return [
     el('h3', {}, info.signed ? 'Displacement along the normals' : 'Displacement'),
@@ -120,7 +120,7 @@ export function reportPanel(
   const parts: (Node | undefined)[] = [];
   if (report) {
     for (const warning of report.warnings ?? []) parts.push(el('p', { class: 'warning' }, warning));
-    parts.push(foundPart(report), labelsPart(report));
+    parts.push(foundPart(report, (scene.removed ?? 0) > 0), labelsPart(report));
   }
   parts.push(...displacementPart(scene), truthPart(scene));
   if (report) parts.push(roundsPart(report), optionsPart(report), stagesPart(report));

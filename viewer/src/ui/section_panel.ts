@@ -4,12 +4,13 @@
 import type { Cloud, Vec3 } from '../data/cloud';
 import type { Stage } from '../scene/stage';
 import { outline } from '../section/outline';
-import { describeSection, drawSection, fitWindow, type SectionPicture, type Window2 } from '../section/plot';
+import { describeSection, drawSection, fitWindow, pictureAxis, type SectionPicture, type Window2 } from '../section/plot';
 import { dot, planeOf, project, type Frame, type Plane } from '../section/slab';
-import type { Axis, Slab, Store } from '../state';
+import type { Up } from '../scene/up';
+import type { Axis, Slab, State, Store } from '../state';
 import { el } from './dom';
 import { button, checkbox, select, slider } from './fields';
-import { short } from './format';
+import { coordinate } from './format';
 
 const outlineCell = 1.4; // spacings
 const wheelStep = 1.0015;
@@ -48,13 +49,15 @@ export class SectionPanel {
       thickness.field.valueAsNumber = state.slab.thickness;
       behind.field.checked = state.slab.keepBehind;
       this.element.hidden = !state.slab.on;
-      if (changed.has('slab') || changed.has('hideOutliers') || changed.has('layout')) this.update(state.slab);
+      if (['slab', 'hideOutliers', 'layout', 'up'].some((key) => changed.has(key as keyof State))) {
+        this.update(state.slab, state.up);
+      }
       if (changed.has('dark')) this.draw();
     });
     new ResizeObserver(() => this.draw()).observe(this.canvas.parentElement!);
   }
 
-  private update(slab: Slab): void {
+  private update(slab: Slab, up: Up): void {
     if (!slab.on) {
       this.plane = undefined;
       this.facing = undefined;
@@ -65,11 +68,11 @@ export class SectionPanel {
     if (slab.axis !== 'view') this.facing = undefined;
     else this.facing ??= this.stage.facing();
     const frame = this.facing ?? this.stage.facing();
-    const axisChanged = this.plane?.normal.join() !==
-      planeOf(slab, this.stage.extent, this.spacing, frame).normal.join();
-    this.plane = planeOf(slab, this.stage.extent, this.spacing, frame);
+    const before = this.plane;
+    this.plane = planeOf(slab, this.stage.extent, this.spacing, frame, up);
     this.stage.setPlane(this.plane, slab.keepBehind);
-    if (axisChanged) this.seen = undefined;
+    const directions = (plane?: Plane) => plane && [plane.right, plane.up].join();
+    if (directions(before) !== directions(this.plane)) this.seen = undefined;
     this.project(slab);
     this.draw();
   }
@@ -80,19 +83,21 @@ export class SectionPanel {
     const sets = this.clouds.map((cloud) =>
       project(cloud.local, plane, (i) => !hide || ((cloud.flags?.[i] ?? 0) & 8) === 0));
     const last = sets[sets.length - 1];
-    const file = slab.axis === 'view' ? 0 : 1;
+    const file = slab.axis !== 'view';
     this.picture = {
       before: sets.length > 1 ? sets[0] : undefined,
       after: last,
       lines: last ? outline(last.places, outlineCell * this.spacing) : new Float32Array(),
-      origin: [file * dot(this.origin, plane.right), file * dot(this.origin, plane.up)],
+      axes: file
+        ? [pictureAxis(plane.right, this.origin), pictureAxis(plane.up, this.origin)] : undefined,
       names: this.clouds.length > 1 ? ['before', 'after'] : ['', ''],
     };
     const thickness = slab.thickness * this.spacing;
     const described = describeSection(this.picture, thickness);
     this.canvas.setAttribute('aria-label', described);
-    const at = file ? `${slab.axis} = ${short(plane.offset + dot(this.origin, plane.normal), 6)}` : 'facing the view';
-    this.told.textContent = `${described}; ${at}. Wheel and drag enlarge and move it.`;
+    const at = file ? `${slab.axis} = ${coordinate(plane.offset + dot(this.origin, plane.normal), thickness / 1000)}` : 'facing the view';
+    this.told.replaceChildren(`${described}; ${at}. `,
+      el('span', { class: 'on-screen' }, 'Wheel and drag enlarge and move it.'));
   }
 
   private fit(): void {

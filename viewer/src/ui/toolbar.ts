@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { modeNames, type Mode } from '../colour/modes';
 import { views, type ViewName } from '../scene/rig';
+import { upAxes, upName, type Up } from '../scene/up';
 import type { Layout, Store } from '../state';
 import { el } from './dom';
 import { button, checkbox, choice, select, slider } from './fields';
@@ -33,14 +34,17 @@ export function toolbar(
   const hide = checkbox('Hide outliers', store.get().hideOutliers,
     (value) => store.set({ hideOutliers: value }));
   const cut = checkbox('Cross-section', store.get().slab.on, (value) => store.setSlab({ on: value }));
-  const look = select('', [['', 'View from …'], ...Object.keys(views).map((name): [string, string] =>
+  const look = select('', [['', 'View …'], ...Object.keys(views).map((name): [string, string] =>
     [name, name])], '', (value) => {
     if (value) actions.look(value as ViewName);
     look.field.value = '';
   });
   look.field.setAttribute('aria-label', 'View');
+  const up = select('Up', upAxes.map((axis): [string, string] => [axis, upName(axis)]),
+    store.get().up, (value) => store.set({ up: value as Up }));
   store.watch((state) => {
     layout.show(state.layout);
+    up.field.value = state.up;
     mode.field.value = state.mode;
     size.field.valueAsNumber = state.pointSize;
     parallel.field.checked = state.orthographic;
@@ -50,7 +54,7 @@ export function toolbar(
   return el('div', { class: 'toolbar', role: 'toolbar', 'aria-label': 'View' },
     clouds > 1 ? layout.element : undefined,
     mode.element, cut.element, outliers ? hide.element : undefined, parallel.element, size.element,
-    look.element, button('Fit', actions.fit, 'Show everything (F)'));
+    look.element, up.element, button('Fit', actions.fit, 'Show everything (F)'));
 }
 
 /** What concerns the page, not the picture. */

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The deburr authors
 // SPDX-License-Identifier: Apache-2.0
 // Without a mouse, without sight, in the dark, on paper, without WebGL.
+import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
@@ -13,6 +14,8 @@ beforeAll(async () => {
   deburr(dir, 'synth', 'part', 'a.ply', '--points', '8000', '--truth', 'truth.ply', '--clean', 'b.ply');
   deburr(dir, 'view', 'a.ply', 'b.ply', '-o', 'view.html', '--truth', 'truth.ply');
   deburr(dir, 'view', 'b.ply', '-o', 'one.html');
+  writeFileSync(join(dir, 'point.xyz'), '1 2 3\n');
+  deburr(dir, 'view', 'point.xyz', '-o', 'point.html');
   browser = await launch();
 });
 
@@ -101,9 +104,21 @@ describe('the page', () => {
     await page.getByRole('checkbox', { name: 'Cross-section' }).check();
     await settled(page);
     await screenshot(page, 'dark');
+    const section = () => page.$eval('.section canvas', (canvas) =>
+      (canvas as HTMLCanvasElement).toDataURL());
+    const before = await section();
     await page.getByRole('button', { name: 'Light' }).click();
+    expect(await section()).not.toBe(before);
     const light = await stagePixels(page);
     expect(countPixels(light, (r, g, b) => r + g + b < 120)).toBeLessThan(light.width * light.height * 0.2);
+    expect(problems).toEqual([]);
+  });
+
+  it('shows a single point', async () => {
+    const { page, problems } = await open(browser, join(dir, 'point.html'));
+    const seen = await stagePixels(page);
+    // Between what the page says at its sides.
+    expect(countPixels(seen, (r, _g, _b, x) => r < 200 && x > 300 && x < 700)).toBeGreaterThan(20);
     expect(problems).toEqual([]);
   });
 
@@ -125,6 +140,30 @@ describe('the page', () => {
     expect(drawn).toBeGreaterThan(300);
     await screenshot(page, 'print');
     expect((await page.pdf()).length).toBeGreaterThan(10_000);
+  });
+
+  it('is printed on white paper from a dark screen, and dark again after it', async () => {
+    const { page } = await open(browser, join(dir, 'view.html'), true);
+    await page.getByRole('checkbox', { name: 'Cross-section' }).check();
+    await page.locator('.stage canvas').focus();
+    await page.keyboard.press('Enter');
+    await settled(page);
+    // Around the point on paper too, where the picture has another size.
+    expect(await page.$eval('.ring', (mark) => (mark as HTMLElement).style.left)).toMatch(/%$/);
+    const theme = () => page.getAttribute('html', 'data-theme');
+    const drawn = () => page.$eval('.section canvas', (canvas) => (canvas as HTMLCanvasElement).toDataURL());
+    const onScreen = await drawn();
+    await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
+    expect(await theme()).toBe('light');
+    expect(await drawn()).not.toBe(onScreen);
+    await page.emulateMedia({ media: 'print' });
+    await screenshot(page, 'print-dark');
+    expect(await page.locator('.on-screen').isVisible()).toBe(false);
+    await page.emulateMedia({ media: 'screen' });
+    await page.evaluate(() => window.dispatchEvent(new Event('afterprint')));
+    expect(await theme()).toBe('dark');
+    expect(await drawn()).toBe(onScreen);
+    expect(await page.locator('.paper').count()).toBe(0);
   });
 
   it('shows still pictures and the report where there is no WebGL', async () => {

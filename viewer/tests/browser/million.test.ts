@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The deburr authors
 // SPDX-License-Identifier: Apache-2.0
-// A million points, drawn in software: the page chooses how many it can move.
-import { statSync } from 'node:fs';
+// A million points with everything that a page can show of them, drawn in software: the page
+// chooses how many it can move.
+import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
@@ -11,9 +12,37 @@ const dir = folder();
 const attempts = 3; // others may use the processor too
 let browser: Browser;
 
+const million = 1_000_000;
+const mark = 'end_header\n';
+
+/** Adds normals, colours, intensity and labels to the coordinates of a binary PLY file. */
+function addEverything(file: string, output: string): void {
+  const input = readFileSync(join(dir, file));
+  const start = input.indexOf(mark) + mark.length;
+  const row = (input.length - start) / million;
+  const fields = ['double x', 'double y', 'double z', 'char nx', 'char ny', 'char nz', 'uchar red',
+    'uchar green', 'uchar blue', 'ushort intensity', 'uchar deburr_label', 'uchar deburr_outlier'];
+  const header = ['ply', 'format binary_little_endian 1.0', `element vertex ${million}`,
+    ...fields.map((field) => `property ${field}`), mark].join('\n');
+  const size = 34;
+  const rows = Buffer.alloc(size * million);
+  for (let i = 0; i < million; ++i) {
+    const at = size * i;
+    input.copy(rows, at, start + row * i, start + row * i + 24);
+    // Of no meaning, but not all alike.
+    for (let k = 24; k < 32; ++k) rows[at + k] = (i * (k + 1)) & 127;
+    rows[at + 32] = i & 3;
+    rows[at + 33] = i % 100 === 0 ? 1 : 0;
+  }
+  writeFileSync(join(dir, output), Buffer.concat([Buffer.from(header), rows]));
+}
+
 beforeAll(async () => {
-  deburr(dir, 'synth', 'part', 'a.ply', '--points', '1000000', '--clean', 'b.ply', '--quiet');
-  deburr(dir, 'view', 'a.ply', 'b.ply', '-o', 'million.html', '--quiet');
+  deburr(dir, 'synth', 'part', 'a.ply', '--points', String(million), '--clean', 'b.ply', '--truth',
+    'truth.ply', '--quiet');
+  addEverything('a.ply', 'noisy.ply');
+  addEverything('b.ply', 'clean.ply');
+  deburr(dir, 'view', 'noisy.ply', 'clean.ply', '-o', 'million.html', '--truth', 'truth.ply', '--quiet');
   browser = await launch();
 });
 
@@ -56,7 +85,10 @@ describe('a page of a million points', () => {
       const opened = await open(browser, join(dir, 'million.html'));
       readyAfter = Math.min(readyAfter, opened.readyAfter);
       const shown = await opened.page.textContent('.count');
-      expect(shown).toMatch(/Shows 2\d\d,\d{3}|Shows 3\d\d,\d{3}/);
+      expect(shown).toMatch(/Shows 2\d\d,\d{3}/);
+      const modes = await opened.page.$$eval('.toolbar select', ([colour]) =>
+        [...(colour as HTMLSelectElement).options].map((option) => option.value));
+      expect(modes).toEqual(['normals', 'colours', 'intensity', 'displacement', 'labels', 'truth']);
       expect(shown).toContain('of 1,000,000 points');
       const turned = await turn(opened.page);
       if (turned.fps > best.fps) best = turned;
@@ -67,7 +99,7 @@ describe('a page of a million points', () => {
     }
     const figures = { bytes, readyMs: Math.round(readyAfter), fps: Math.round(best.fps), drawn: best.drawn };
     console.log(JSON.stringify(figures));
-    expect(best.drawn).toBeGreaterThan(20_000);
+    expect(best.drawn).toBeGreaterThanOrEqual(20_000); // no fewer, however slow the machine
     expect(readyAfter).toBeLessThan(5000);
     expect(best.fps).toBeGreaterThan(10);
   });

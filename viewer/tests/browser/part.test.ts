@@ -167,6 +167,19 @@ describe('the report of a part', () => {
     await page.keyboard.press('Escape');
   });
 
+  it('draws everything only once nobody holds the view', async () => {
+    const stage = (await page.locator('.stage').boundingBox())!;
+    const moving = () => page.getAttribute('.stage canvas', 'data-moving');
+    await page.mouse.move(stage.x + 200, stage.y + 200);
+    await page.mouse.down();
+    await page.mouse.move(stage.x + 240, stage.y + 200, { steps: 3 });
+    await page.waitForTimeout(500);
+    expect(await moving()).toBe('true');
+    await page.mouse.up();
+    await settled(page);
+    expect(await moving()).toBe('false');
+  });
+
   it('cuts a slab and draws its outline', async () => {
     await page.getByRole('checkbox', { name: 'Cross-section' }).check();
     await settled(page);

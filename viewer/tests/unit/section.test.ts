@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 import { describe, expect, it } from 'vitest';
 import { outline } from '../../src/section/outline';
-import { fitWindow, roundUp } from '../../src/section/plot';
-import { planeOf, project } from '../../src/section/slab';
+import { drawSection, fitWindow, pictureAxis, roundUp } from '../../src/section/plot';
+import { axisFrame, planeOf, project } from '../../src/section/slab';
 
 const extent = { low: [0, 0, 0], high: [10, 20, 30], centre: [5, 10, 15], radius: 18 } as const;
 const box = { low: [0, 0, 0] as [number, number, number], high: [10, 20, 30] as [number, number, number],
@@ -14,18 +14,52 @@ const slab = { on: true, axis: 'y' as const, position: 0.25, thickness: 2, keepB
 
 describe('the slab', () => {
   it('goes through the cloud from end to end', () => {
-    expect(planeOf(slab, box, 0.5, facing).offset).toBe(5);
-    expect(planeOf({ ...slab, position: 1 }, box, 0.5, facing).offset).toBe(20);
-    expect(planeOf({ ...slab, axis: 'x', position: 0 }, box, 0.5, facing).offset).toBe(0);
-    expect(planeOf({ ...slab, axis: 'view', position: 0.5 }, box, 0.5, facing).offset).toBe(15);
+    expect(planeOf(slab, box, 0.5, facing, 'z').offset).toBe(5);
+    expect(planeOf({ ...slab, position: 1 }, box, 0.5, facing, 'z').offset).toBe(20);
+    expect(planeOf({ ...slab, axis: 'x', position: 0 }, box, 0.5, facing, 'z').offset).toBe(0);
+    expect(planeOf({ ...slab, axis: 'view', position: 0.5 }, box, 0.5, facing, 'z').offset).toBe(15);
   });
 
   it('holds the points that are not farther than half its thickness', () => {
-    const plane = planeOf(slab, box, 0.5, facing);
+    const plane = planeOf(slab, box, 0.5, facing, 'z');
     const local = Float32Array.of(1, 5, 2, 3, 5.5, 4, 7, 5.6, 8, 9, 5, 9);
     const seen = project(local, plane, (i) => i !== 3);
     expect([...seen.points]).toEqual([0, 1]);
     expect([...seen.places]).toEqual([1, 2, 3, 4]);
+  });
+});
+
+describe('the picture of a slab', () => {
+  it('has up what is up in the view', () => {
+    expect(axisFrame('x', 'z')).toEqual({ normal: [1, 0, 0], right: [0, 1, 0], up: [0, 0, 1] });
+    expect(axisFrame('z', 'z')).toEqual({ normal: [0, 0, 1], right: [1, 0, 0], up: [0, 1, 0] });
+    expect(axisFrame('z', 'y')).toEqual({ normal: [0, 0, 1], right: [1, 0, 0], up: [0, 1, 0] });
+    expect(axisFrame('x', '-y')).toEqual({ normal: [1, 0, 0], right: [0, 0, 1], up: [0, -1, 0] });
+    expect(axisFrame('y', 'y')).toEqual({ normal: [0, 1, 0], right: [1, 0, 0], up: [0, 0, -1] });
+  });
+
+  it('is labelled with the coordinates of the file, also where these grow downwards', () => {
+    const written: { text: string; x: number; y: number }[] = [];
+    const nothing = () => undefined;
+    const paper = {
+      clearRect: nothing, beginPath: nothing, moveTo: nothing, lineTo: nothing, stroke: nothing,
+      fillRect: nothing, fillText: (text: string, x: number, y: number) => written.push({ text, x, y }),
+    } as unknown as CanvasRenderingContext2D;
+    const picture = {
+      lines: new Float32Array(), names: ['', ''] as [string, string],
+      axes: [pictureAxis([1, 0, 0], [1000, 0, 0]), pictureAxis([0, -1, 0], [0, 50, 0])] as
+        [ReturnType<typeof pictureAxis>, ReturnType<typeof pictureAxis>],
+    };
+    // 200 pixels are 20 units: x from 990 to 1010, y from 60 at the foot up to 40.
+    drawSection(paper, 200, 200, { x: 0, y: 0, scale: 10 }, picture,
+      { before: '', after: '', text: '', grid: '' });
+    const at = (text: string) => written.find((w) => w.text === text);
+    expect(at('1000')?.x).toBeCloseTo(103, 5);
+    expect(at('50')?.y).toBeCloseTo(97.5, 5);
+    expect(at('60')?.y).toBeCloseTo(197.5, 5);
+    expect(at('40')).toBeUndefined(); // where the name of the axis stands
+    expect(at('x →')).toBeDefined();
+    expect(at('y ↓')).toBeDefined();
   });
 });
 
