@@ -28,7 +28,7 @@ namespace {
 enum ExitCode { ok = 0, other = 1, usage = 2, file = 3, data = 4, stopped = 130 };
 
 int fail(ExitCode code, const std::string& message) {
-  tell(fmt::format("deburr: {}\n", message));
+  tell(as_line(fmt::format("deburr: {}", message)));
   return code;
 }
 
