@@ -81,6 +81,16 @@ TEST(LoneNormal, StaysWhereTheNormalsWereThereBefore) {
   EXPECT_THAT(warnings, IsEmpty());
 }
 
+// PCD has names of its own for normals.
+TEST(LoneNormal, GivesWayToTheNamesOfAnotherFormat) {
+  const TempDir dir;
+  const PointCloud cloud = parsed("x y z normal_y nx ny nz\n1 2 3 0.5 0 0.6 0.8\n");
+  (void)write_cloud(dir / "out.pcd", cloud);
+  const PointCloud out = read_cloud(dir / "out.pcd");
+  EXPECT_THAT(out.normals, ElementsAre(Vec3{0, 0.6, 0.8}));
+  EXPECT_EQ(values_of<double>(out, "normal_y_"), std::vector{0.5});
+}
+
 TEST(LoneNormal, StaysInACloudWithoutNormals) {
   const TempDir dir;
   std::vector<std::string> warnings;
