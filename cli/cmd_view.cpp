@@ -65,7 +65,7 @@ view::SceneOptions check(const ViewArgs& args) {
   check_apart({output, json_output(args.common.json)});
   check_kept(inputs, {output});
   check_inputs(inputs);
-  check_extension("--output", args.output, page_extensions, "a page");
+  check_extension("--output", args.output, page_extensions(), "a page");
   check_page_output(args.output);
   check_in_format(args.in_format);
   view::SceneOptions options;

@@ -29,8 +29,11 @@ void add_still(const view::ShownCloud& shown, view::Up up, std::vector<view::Sti
 
 }  // namespace
 
+std::vector<std::string> page_extensions() { return {".html", ".htm"}; }
+
 bool is_page(const std::string& path) {
-  return std::ranges::find(page_extensions, extension(path)) != std::end(page_extensions);
+  const std::vector<std::string> known = page_extensions();
+  return std::ranges::find(known, extension(path)) != known.end();
 }
 
 void check_page_output(const std::string& path) {

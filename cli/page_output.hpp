@@ -10,7 +10,8 @@
 
 namespace deburr::cli {
 
-inline const std::vector<std::string> page_extensions{".html", ".htm"};
+/// The extensions of pages, in small letters.
+[[nodiscard]] std::vector<std::string> page_extensions();
 
 /// Whether a report of this name is a page to look at.
 [[nodiscard]] bool is_page(const std::string& path);

@@ -135,6 +135,25 @@ TEST_F(CliStreams, StdinIsReadFromWhereItStands) {
   EXPECT_EQ(run_program({"synth", "-", "out.ply", "--points", "9"}, "mesh.ply").exit_code, 0);
 }
 
+// The next file that is opened would get the number of a closed stream, and what is printed there.
+TEST_F(CliStreams, NothingTakesThePlaceOfAClosedStream) {
+  ASSERT_EQ(run_program({"denoise", "scan.ply", "out.ply"}).exit_code, 0);
+  const std::string expected = read_text("out.ply");
+  const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
+  const auto run_closed = [nothing](const Args& args) {
+    std::filesystem::remove("out.ply");
+    return wait_for_exit(start_program(args, closed, closed, nothing));
+  };
+  EXPECT_EQ(run_closed({"denoise", "scan.ply", "out.ply", "--json"}), 3);
+  EXPECT_FALSE(std::filesystem::exists("out.ply"));
+  EXPECT_EQ(run_closed({"denoise", "scan.ply", "out.ply", "--report", "report.json"}), 0);
+  EXPECT_EQ(read_text("out.ply"), expected);
+  EXPECT_THAT(read_text("report.json"), EndsWith("}\n"));
+  EXPECT_EQ(run_closed({"denoise", "scan.ply", "-"}), 3);
+  EXPECT_EQ(wait_for_exit(start_program({"info", "-"}, nothing, nothing, closed)), 3);
+  close(nothing);
+}
+
 TEST_F(CliStreams, StreamsThatCannotBeWrittenAreExitCode3) {
   const Outcome reading = run_program({"denoise", "scan.ply", "/dev/stdin"}, "scan.ply");
   EXPECT_EQ(reading.exit_code, 3);
