@@ -135,7 +135,7 @@ nlohmann::ordered_json to_json(const CloudInfo& info) {
 std::string to_text(const CloudInfo& info) {
   std::string text;
   const auto line = [&text](const char* name, const std::string& value) {
-    text += fmt::format("{:<11} {}\n", name, value);
+    text += as_line(fmt::format("{:<11} {}", name, value));
   };
   line("points", fmt::format("{}", info.points));
   line("not finite", fmt::format("{}", info.non_finite));

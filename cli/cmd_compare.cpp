@@ -12,8 +12,11 @@
 #include "deburr/io.hpp"
 #include "deburr/version.hpp"
 #include "interrupt.hpp"
+#include "io/format.hpp"
 #include "json_line.hpp"
 #include "output_file.hpp"
+#include "outputs.hpp"
+#include "places.hpp"
 
 namespace deburr::cli {
 namespace {
@@ -39,8 +42,8 @@ bool has_finite_point(const Truth& truth) {
 }
 
 /// Writes the cloud with the distance of each of its points from the truth.
-std::vector<std::string> write_distances(const std::string& path, PointCloud cloud,
-                                         const Truth& truth, int threads) {
+std::vector<std::string> write_distances(Outputs& outputs, const std::string& path,
+                                         PointCloud cloud, const Truth& truth, int threads) {
   const Execution execution{.threads = threads, .cancelled = interrupted};
   const auto* const surface = std::get_if<TriangleMesh>(&truth);
   std::vector<double> distances =
@@ -53,17 +56,25 @@ std::vector<std::string> write_distances(const std::string& path, PointCloud clo
   std::erase_if(cloud.attributes,
                 [](const Attribute& attribute) { return attribute.name == "deburr_distance"; });
   cloud.attributes.push_back({"deburr_distance", std::move(distances), {}});
-  return write_cloud(path, cloud, interrupted);
+  const FormatInfo format = check_cloud_output(path);
+  return write_cloud(outputs.add(path), cloud, interrupted, format.name);
+}
+
+/// Everything that can be refused before the input is read.
+void check(const CompareArgs& args) {
+  const NamedPath distances{"--distances", args.distances};
+  const NamedPath truth{"--truth", args.truth};
+  const NamedPath clean{"--clean", args.clean};
+  check_apart({distances, {.option = "the figures", .path = "-", .is_implied = true}});
+  check_kept({truth, clean}, {distances});
+  check_inputs({{"CLOUD", args.cloud}, truth, clean});
+  if (!args.distances.empty()) check_cloud_output(args.distances);
+  check_in_format(args.in_format);
 }
 
 void run(CompareArgs& args) {
-  if (!args.distances.empty()) {
-    check_cloud_output(args.distances);
-    check_different("--distances", args.distances, args.truth);
-    check_different("--distances", args.distances, args.clean);
-  }
+  check(args);
   args.options.threads = args.common.threads;
-  check_in_format(args.in_format);
   const PointCloud cloud = read_cloud(args.cloud, interrupted, args.in_format);
   const Truth truth = read_mesh_or_cloud(args.truth, interrupted);
   std::optional<PointCloud> clean;
@@ -75,9 +86,10 @@ void run(CompareArgs& args) {
   bar.clear();
   if (comparison.error.count == 0) throw DataError(args.cloud + ": no finite point to compare");
 
+  Outputs outputs;
   if (!args.distances.empty()) {
     for (std::string& warning :
-         write_distances(args.distances, cloud, truth, args.common.threads)) {
+         write_distances(outputs, args.distances, cloud, truth, args.common.threads)) {
       comparison.warnings.push_back(std::move(warning));
     }
   }
@@ -88,15 +100,15 @@ void run(CompareArgs& args) {
                                 {"truth", args.truth}};
     if (clean) json["clean"] = args.clean;
     json.update(to_json(comparison));
-    print(to_line(json));
+    outputs.commit(to_line(json));
     return;
   }
   if (!args.common.quiet) {
     for (const std::string& warning : comparison.warnings) {
-      tell("deburr: warning: " + warning + "\n");
+      tell(warning_line(warning));
     }
   }
-  print(to_text(comparison));
+  outputs.commit(to_text(comparison));
 }
 
 }  // namespace

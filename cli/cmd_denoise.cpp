@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
-#include <stdexcept>
-#include <type_traits>
 #include <utility>
-#include <variant>
 
+#include "added_fields.hpp"
 #include "args.hpp"
 #include "commands.hpp"
 #include "console.hpp"
@@ -20,8 +17,11 @@
 #include "denoise_summary.hpp"
 #include "element_losses.hpp"
 #include "interrupt.hpp"
+#include "io/format.hpp"
 #include "json_line.hpp"
 #include "output_file.hpp"
+#include "outputs.hpp"
+#include "places.hpp"
 #include "report_page.hpp"
 
 namespace deburr::cli {
@@ -35,14 +35,6 @@ constexpr const char* examples =
     "  deburr denoise scan.xyz clean.xyz --strength 2 --outliers remove\n"
     "  deburr denoise scan.xyz clean.ply --method yadav2018 --rho 0.95 --add label,displacement";
 
-/// What is written for every point besides what came in.
-struct AddedFields {
-  bool normals = false;
-  bool label = false;
-  bool displacement = false;
-  bool outlier = false;
-};
-
 struct DenoiseArgs {
   CommonArgs common;
   std::string input;
@@ -53,114 +45,6 @@ struct DenoiseArgs {
   std::string format;
   DenoiseOptions options;
 };
-
-/// What --add asks for. Where new fields have no names, nothing is added unless asked for.
-AddedFields parse_added_fields(const DenoiseArgs& args, const FormatInfo& format) {
-  if (args.add.empty()) {
-    const bool named = format.takes_any_field;
-    return {named, named, named, named};
-  }
-  AddedFields add;
-  if (args.add == "none") return add;
-  for (const std::string& word : CLI::detail::split(args.add, ',')) {
-    if (word == "normals") {
-      add.normals = true;
-    } else if (word == "label") {
-      add.label = true;
-    } else if (word == "displacement") {
-      add.displacement = true;
-    } else if (word == "outlier") {
-      add.outlier = true;
-    } else {
-      throw std::invalid_argument(fmt::format(
-          "--add takes none, or a list of normals,label,displacement,outlier, got {}", args.add));
-    }
-  }
-  return add;
-}
-
-/// Adds a field to the points, or puts new values into the one of that name.
-void set_attribute(PointCloud& cloud, const std::string& name, Values values) {
-  const auto found = std::ranges::find(cloud.attributes, name, &Attribute::name);
-  Attribute& attribute = found != cloud.attributes.end() ? *found : cloud.attributes.emplace_back();
-  attribute = {.name = name, .values = std::move(values), .offsets = {}};
-}
-
-/// Values as classes of LAS, whatever type they were read as; none if one is not a class.
-std::optional<std::vector<std::uint8_t>> as_classes(const Values& values) {
-  std::vector<std::uint8_t> classes;
-  const bool all = std::visit(
-      [&](const auto& column) {
-        using Value = typename std::decay_t<decltype(column)>::value_type;
-        if constexpr (std::is_arithmetic_v<Value>) {
-          for (const Value value : column) {
-            const auto number = static_cast<double>(value);
-            if (!(number >= 0 && number <= 255) || number != std::floor(number)) return false;
-            classes.push_back(static_cast<std::uint8_t>(number));
-          }
-          return true;
-        } else {
-          return false;
-        }
-      },
-      values);
-  return all ? std::optional(std::move(classes)) : std::nullopt;
-}
-
-/// LAS has a class for outliers, low noise, which all its programs know.
-void classify_outliers(PointCloud& cloud, const std::vector<std::uint8_t>& outliers) {
-  constexpr std::uint8_t low_noise = 7;
-  const auto found = std::ranges::find(cloud.attributes, "classification", &Attribute::name);
-  std::vector<std::uint8_t> classes(cloud.size());
-  if (found != cloud.attributes.end()) {
-    auto before = as_classes(found->values);
-    // Of what else a file calls its classification, nothing is written over.
-    if (!before || before->size() != classes.size()) return;
-    classes = std::move(*before);
-  }
-  for (std::size_t i = 0; i < classes.size(); ++i) {
-    if (outliers[i] != 0) classes[i] = low_noise;
-  }
-  set_attribute(cloud, "classification", std::move(classes));
-}
-
-/// Leaves in the cloud what is to be written, and returns the names of the fields added.
-std::vector<std::string> add_fields(DenoiseResult& result, const AddedFields& add, bool had_normals,
-                                    bool is_las) {
-  std::vector<std::string> names;
-  // Only a header can tell what a new column of a text file is.
-  TextHeader& header = result.cloud.layout.text.header;
-  const bool new_columns =
-      (add.normals && !had_normals) || add.label || add.displacement || add.outlier;
-  if (new_columns && header == TextHeader::None) header = TextHeader::Plain;
-  if (add.normals || had_normals) {
-    names.insert(names.end(), {"nx", "ny", "nz"});
-  } else {
-    result.cloud.normals.clear();
-  }
-  if (add.label) {
-    std::vector<std::uint8_t> values;
-    values.reserve(result.labels.size());
-    for (const Feature label : result.labels) values.push_back(static_cast<std::uint8_t>(label));
-    set_attribute(result.cloud, names.emplace_back("deburr_label"), std::move(values));
-  }
-  if (add.displacement) {
-    std::vector<float> values;
-    values.reserve(result.displacement.size());
-    constexpr double most = std::numeric_limits<float>::max();
-    for (const double moved : result.displacement) {
-      values.push_back(static_cast<float>(std::min(moved, most)));
-    }
-    set_attribute(result.cloud, names.emplace_back("deburr_displacement"), std::move(values));
-  }
-  if (add.outlier && is_las) {
-    names.emplace_back("classification");
-    classify_outliers(result.cloud, result.outliers);
-  } else if (add.outlier) {
-    set_attribute(result.cloud, names.emplace_back("deburr_outlier"), std::move(result.outliers));
-  }
-  return names;
-}
 
 void summarize_displacement(const DenoiseResult& result, DenoiseSummary& summary) {
   if (result.displacement.empty()) return;
@@ -177,10 +61,10 @@ void summarize_displacement(const DenoiseResult& result, DenoiseSummary& summary
 FormatInfo check(const DenoiseArgs& args) {
   FormatInfo format = check_cloud_output(args.output, args.format);
   check_in_format(args.in_format);
-  check_json(args.output, args.common.json);
+  const NamedPath report{"--report", args.report};
+  check_apart({{"OUT", args.output}, report, json_output(args.common.json)});
+  check_kept({{"IN", args.input}}, {report});
   if (!args.report.empty()) {
-    check_different("--report", args.report, args.input);
-    check_different("--report", args.report, args.output);
     is_page(args.report) ? check_page_output(args.report) : check_output(args.report);
   }
   // Nothing to denoise, so this only looks at the ranges of the options.
@@ -201,7 +85,7 @@ double resolution_for(const DenoiseSummary& summary) {
 
 void run(const DenoiseArgs& args) {
   const FormatInfo format = check(args);
-  const AddedFields add = parse_added_fields(args, format);
+  const AddedFields add = parse_added_fields(args.add, format);
   ProgressBar bar(args.common.quiet);
   const Execution execution{.threads = args.common.threads,
                             .progress = [&bar](const Progress& progress) { bar.update(progress); },
@@ -232,7 +116,7 @@ void run(const DenoiseArgs& args) {
     if (page) page->take(result, execution);
     warn_of_lost_elements(args.input, elements, element_sizes(result.cloud), summary.warnings);
     summarize_displacement(result, summary);
-    summary.added = add_fields(result, add, had_normals, format.name == "las");
+    summary.added = add_fields(result, add, had_normals, format);
     result.cloud.layout.resolution = resolution_for(summary);
   } else {
     summary.report.points = points;
@@ -245,24 +129,20 @@ void run(const DenoiseArgs& args) {
 
   bar.clear();
   const double writing = steady_seconds();
-  for (std::string& warning : write_cloud(args.output, result.cloud, interrupted, args.format)) {
+  Outputs outputs;
+  AtomicFile& out = outputs.add(args.output);
+  for (std::string& warning : write_cloud(out, result.cloud, interrupted, format.name)) {
     summary.warnings.push_back(std::move(warning));
   }
+  out.sync();
   std::vector<StageTime>& stages = summary.report.stages;
   stages.insert(stages.begin(), {"read", reading});
   stages.push_back({"write", steady_seconds() - writing});
 
   const std::string json = to_line(to_json(summary));
-  if (page) {
-    page->write(args.report, json);
-  } else if (!args.report.empty()) {
-    write_text(args.report, json);
-  }
-  if (args.common.json) {
-    print(json);
-  } else if (!args.common.quiet) {
-    tell(to_text(summary));
-  }
+  if (!args.report.empty()) outputs.add(args.report, page ? page->html(json) : json);
+  outputs.commit(args.common.json ? json : "");
+  if (!args.common.json && !args.common.quiet) tell(to_text(summary));
 }
 
 }  // namespace
@@ -285,7 +165,7 @@ void add_denoise_command(CLI::App& program) {
   command
       ->add_option("--report", args->report,
                    "Write the summary to this file: as JSON, or, if it ends in .html, as a page "
-                   "that shows the points before and after")
+                   "that shows the points before and after; - is stdout")
       ->option_text("FILE");
   add_common_options(*command, args->common, examples);
   command->callback([command, args] {

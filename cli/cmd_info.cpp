@@ -33,11 +33,11 @@ void run(const InfoArgs& args) {
   bar.clear();
   if (!args.common.quiet) {
     for (const std::string& doubt : doubts_about(cloud)) {
-      tell(fmt::format("deburr: warning: {}: {}\n", args.input, doubt));
+      tell(warning_line(fmt::format("{}: {}", args.input, doubt)));
     }
   }
   if (!args.common.json) {
-    print(fmt::format("{:<11} {}\n{}", "file", args.input, to_text(info)));
+    print(as_line(fmt::format("{:<11} {}", "file", args.input)) + to_text(info));
     return;
   }
   nlohmann::ordered_json json{

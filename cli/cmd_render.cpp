@@ -11,9 +11,10 @@
 #include "deburr/io.hpp"
 #include "deburr/version.hpp"
 #include "interrupt.hpp"
-#include "io/atomic_file.hpp"
 #include "json_line.hpp"
 #include "output_file.hpp"
+#include "outputs.hpp"
+#include "places.hpp"
 #include "up_option.hpp"
 #include "view/left_out.hpp"
 #include "view/png.hpp"
@@ -62,9 +63,12 @@ void parse_size(const std::string& text, view::RasterOptions& raster) {
 /// Everything that can be refused before the input is read.
 void check(const RenderArgs& args) {
   check_in_format(args.in_format);
-  check_different("OUT", args.output, args.cloud);
-  check_different("OUT", args.output, args.before);
-  check_json(args.output, args.common.json);
+  const NamedPath output{"OUT", args.output};
+  const std::vector<NamedPath> inputs{{"CLOUD", args.cloud}, {"--before", args.before}};
+  check_apart({output, json_output(args.common.json)});
+  check_kept(inputs, {output});
+  check_inputs(inputs);
+  check_extension("OUT", args.output, {".png"}, "a picture");
   check_output(args.output);
   if (!args.before.empty() && args.options.colour != view::StillColour::Displacement) {
     throw std::invalid_argument("--before belongs to --color displacement");
@@ -75,7 +79,8 @@ void check(const RenderArgs& args) {
       {.width = args.options.raster.width, .height = args.options.raster.height, .samples = 1});
 }
 
-void tell_result(const RenderArgs& args, const view::StillPicture& still) {
+/// What is told of a picture, as JSON or in words.
+std::string describe(const RenderArgs& args, const view::StillPicture& still) {
   const bool has_range = args.options.colour == view::StillColour::Displacement;
   const double low = still.is_signed ? -still.range : 0;
   if (args.common.json) {
@@ -91,12 +96,11 @@ void tell_result(const RenderArgs& args, const view::StillPicture& still) {
                                 {"legend", still.legend},
                                 {"points", still.points}};
     if (has_range) json["range"] = {low, still.range};
-    print(to_line(json));
-  } else if (!args.common.quiet) {
-    std::string range;
-    if (has_range) range = fmt::format(", colours from {:.6g} to {:.6g}", low, still.range);
-    tell(fmt::format("{} points drawn to {}{}\n", still.points, args.output, range));
+    return to_line(json);
   }
+  std::string range;
+  if (has_range) range = fmt::format(", colours from {:.6g} to {:.6g}", low, still.range);
+  return as_line(fmt::format("{} points drawn to {}{}", still.points, args.output, range));
 }
 
 void run(RenderArgs& args) {
@@ -119,10 +123,11 @@ void run(RenderArgs& args) {
   }
   const view::StillPicture still = view::draw_still(request, args.options, execution);
   bar.clear();
-  AtomicFile file(args.output);
-  file.write(view::png_bytes(still.picture));
-  file.commit();
-  tell_result(args, still);
+  Outputs outputs;
+  outputs.add(args.output, view::png_bytes(still.picture));
+  const std::string told = describe(args, still);
+  outputs.commit(args.common.json ? told : "");
+  if (!args.common.json && !args.common.quiet) tell(told);
 }
 
 }  // namespace

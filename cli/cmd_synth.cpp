@@ -12,8 +12,11 @@
 #include "deburr/synth.hpp"
 #include "deburr/version.hpp"
 #include "interrupt.hpp"
+#include "io/format.hpp"
 #include "json_line.hpp"
 #include "output_file.hpp"
+#include "outputs.hpp"
+#include "places.hpp"
 
 namespace deburr::cli {
 namespace {
@@ -69,7 +72,7 @@ void check_arguments(const SynthArgs& args) {
   const std::filesystem::path path = args.surface;
   // A word that cannot be meant as a file gets the list of words, not a complaint about a file.
   if (shape == nullptr && !std::filesystem::exists(path) && !path.has_extension() &&
-      !path.has_parent_path()) {
+      !path.has_parent_path() && path != "-") {
     throw std::invalid_argument(
         fmt::format("SHAPE_OR_MESH {}: neither a file nor one of {}", args.surface, shape_words()));
   }
@@ -77,18 +80,11 @@ void check_arguments(const SynthArgs& args) {
     throw std::invalid_argument("--thickness belongs to thin-plate");
   }
   check_cloud_output(args.output, args.format);
-  check_json(args.output, args.common.json);
-  if (!args.truth.empty() && extension(args.truth) != ".ply") {
-    throw std::invalid_argument("--truth " + args.truth + ": a mesh is written as .ply");
-  }
-  check_different("--truth", args.truth, args.output);
-  check_different("--clean", args.clean, args.output);
-  check_different("--clean", args.clean, args.truth);
-  if (shape == nullptr) {
-    check_different("OUT", args.output, args.surface);
-    check_different("--truth", args.truth, args.surface);
-    check_different("--clean", args.clean, args.surface);
-  }
+  if (!args.truth.empty()) check_extension("--truth", args.truth, {".ply"}, "a mesh");
+  const std::vector<NamedPath> outputs{
+      {"OUT", args.output}, {"--truth", args.truth}, {"--clean", args.clean}};
+  check_apart({outputs[0], outputs[1], outputs[2], json_output(args.common.json)});
+  if (shape == nullptr) check_kept({{"SHAPE_OR_MESH", args.surface}}, outputs);
   if (!args.truth.empty()) check_output(args.truth);
   if (!args.clean.empty()) check_cloud_output(args.clean);
 }
@@ -112,23 +108,36 @@ PointCloud clean_cloud(const SyntheticScan& scan) {
   return cloud;
 }
 
+std::vector<std::string> write(Outputs& outputs, const SynthArgs& args, const SyntheticScan& scan) {
+  const auto write_points = [&](const std::string& path, const std::string& format,
+                                const PointCloud& cloud) {
+    const FormatInfo info = check_cloud_output(path, format);
+    return write_cloud(outputs.add(path), cloud, interrupted, info.name);
+  };
+  std::vector<std::string> warnings = write_points(args.output, args.format, scan.cloud);
+  if (!args.truth.empty()) write_mesh(outputs.add(args.truth), scan.truth, interrupted);
+  if (!args.clean.empty()) write_points(args.clean, {}, clean_cloud(scan));
+  return warnings;
+}
+
 void tell_summary(const SynthArgs& args, const SyntheticScan& scan,
                   const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) tell("deburr: warning: " + warning + "\n");
-  tell(fmt::format("{} points written to {}\n", scan.cloud.size(), args.output));
+  for (const std::string& warning : warnings) tell(warning_line(warning));
+  tell(as_line(fmt::format("{} points written to {}", scan.cloud.size(), args.output)));
   if (scan.cloud.size() > args.options.points) {
     tell(fmt::format("{} of them are outliers\n", scan.cloud.size() - args.options.points));
   }
   tell(fmt::format("spacing {:.6g}, noise {:.6g}, {:.4g} spacings\n", scan.spacing, scan.sigma,
                    scan.sigma / scan.spacing));
   if (!args.truth.empty()) {
-    tell(fmt::format("{} triangles written to {}\n", scan.truth.triangles.size(), args.truth));
+    tell(as_line(
+        fmt::format("{} triangles written to {}", scan.truth.triangles.size(), args.truth)));
   }
-  if (!args.clean.empty()) tell(fmt::format("points without noise written to {}\n", args.clean));
+  if (!args.clean.empty()) tell(as_line("points without noise written to " + args.clean));
 }
 
-void print_json(const SynthArgs& args, const SyntheticScan& scan,
-                const std::vector<std::string>& warnings) {
+std::string to_json(const SynthArgs& args, const SyntheticScan& scan,
+                    const std::vector<std::string>& warnings) {
   const SynthOptions& options = args.options;
   nlohmann::ordered_json json{
       {"deburr_version", version},
@@ -153,7 +162,7 @@ void print_json(const SynthArgs& args, const SyntheticScan& scan,
   if (!args.truth.empty()) json["truth"] = args.truth;
   if (!args.clean.empty()) json["clean"] = args.clean;
   if (args.surface == "thin-plate") json["thickness"] = options.shape.thickness;
-  print(to_line(json));
+  return to_line(json);
 }
 
 void run(SynthArgs& args) {
@@ -163,16 +172,10 @@ void run(SynthArgs& args) {
   }
   check_arguments(args);
   const SyntheticScan scan = make_scan(args);
-  // The cloud first: only while it is written can an interrupt still leave everything as it was.
-  const std::vector<std::string> warnings =
-      write_cloud(args.output, scan.cloud, interrupted, args.format);
-  if (!args.truth.empty()) write_mesh(args.truth, scan.truth);
-  if (!args.clean.empty()) write_cloud(args.clean, clean_cloud(scan));
-  if (args.common.json) {
-    print_json(args, scan, warnings);
-  } else if (!args.common.quiet) {
-    tell_summary(args, scan, warnings);
-  }
+  Outputs outputs;
+  const std::vector<std::string> warnings = write(outputs, args, scan);
+  outputs.commit(args.common.json ? to_json(args, scan, warnings) : "");
+  if (!args.common.json && !args.common.quiet) tell_summary(args, scan, warnings);
 }
 
 }  // namespace
@@ -205,11 +208,13 @@ void add_synth_command(CLI::App& program) {
   args->thickness =
       add_value(*command, "--thickness", options.shape.thickness,
                 "Distance of the sheets of thin-plate, as a fraction of the diagonal");
-  command->add_option("--truth", args->truth, "Write the true surface to this PLY file")
+  command
+      ->add_option("--truth", args->truth, "Write the true surface to this PLY file; - is stdout")
       ->option_text("MESH");
   command
-      ->add_option("--clean", args->clean,
-                   "Write the points before the noise, with normals and outlier, to this file")
+      ->add_option(
+          "--clean", args->clean,
+          "Write the points before the noise, with normals and outlier, to this file; - is stdout")
       ->option_text("CLOUD");
   add_common_options(*command, args->common, examples);
   command->callback([args] { run(*args); });

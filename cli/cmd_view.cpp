@@ -13,7 +13,9 @@
 #include "interrupt.hpp"
 #include "json_line.hpp"
 #include "output_file.hpp"
+#include "outputs.hpp"
 #include "page_output.hpp"
+#include "places.hpp"
 #include "up_option.hpp"
 
 namespace deburr::cli {
@@ -57,12 +59,15 @@ std::vector<double> distances(const PointCloud& cloud, const Truth& truth,
 }
 
 view::SceneOptions check(const ViewArgs& args) {
+  const NamedPath output{"--output", args.output};
+  const std::vector<NamedPath> inputs{
+      {"A", args.before}, {"B", args.after}, {"--truth", args.truth}};
+  check_apart({output, json_output(args.common.json)});
+  check_kept(inputs, {output});
+  check_inputs(inputs);
+  check_extension("--output", args.output, page_extensions(), "a page");
   check_page_output(args.output);
-  for (const std::string& other : {args.before, args.after, args.truth}) {
-    check_different("--output", args.output, other);
-  }
   check_in_format(args.in_format);
-  check_json(args.output, args.common.json);
   view::SceneOptions options;
   // The page itself takes more than half of the least.
   constexpr double least = 2;
@@ -92,15 +97,13 @@ nlohmann::ordered_json to_json(const ViewArgs& args, const view::Scene& scene,
 std::string to_text(const ViewArgs& args, const view::Scene& scene,
                     const std::vector<Loaded>& clouds, std::size_t bytes) {
   std::string text;
-  for (const std::string& warning : scene.warnings) {
-    text += fmt::format("deburr: warning: {}\n", warning);
-  }
+  for (const std::string& warning : scene.warnings) text += warning_line(warning);
   for (std::size_t k = 0; k < clouds.size(); ++k) {
-    text += fmt::format("{}: {} of {} points\n", clouds[k].name, scene.shown[k],
-                        clouds[k].cloud.size());
+    text += as_line(
+        fmt::format("{}: {} of {} points", clouds[k].name, scene.shown[k], clouds[k].cloud.size()));
   }
-  return text + fmt::format("{:.1f} MB written to {}, to be opened in a browser\n",
-                            static_cast<double>(bytes) / megabyte, args.output);
+  return text + as_line(fmt::format("{:.1f} MB written to {}, to be opened in a browser",
+                                    static_cast<double>(bytes) / megabyte, args.output));
 }
 
 void run(const ViewArgs& args) {
@@ -124,12 +127,12 @@ void run(const ViewArgs& args) {
   if (clouds.size() > 1) request.after = clouds[1].shown();
   const PreparedPage page = prepare_page(request, options, execution);
   bar.clear();
-  const std::size_t bytes = write_page(args.output, page);
-  if (args.common.json) {
-    print(to_line(to_json(args, page.scene, clouds, bytes)));
-  } else if (!args.common.quiet) {
-    tell(to_text(args, page.scene, clouds, bytes));
-  }
+  const std::string html = page_html(page);
+  Outputs outputs;
+  outputs.add(args.output, html);
+  const bool json = args.common.json;
+  outputs.commit(json ? to_line(to_json(args, page.scene, clouds, html.size())) : "");
+  if (!json && !args.common.quiet) tell(to_text(args, page.scene, clouds, html.size()));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace deburr::cli {
 namespace {
@@ -16,6 +17,16 @@ std::string percent(double share) {
   return std::isnan(share) ? "-" : fmt::format("{:.1f} %", 100 * share);
 }
 
+/// A number that may not be: what there are no points for, or nothing to compare with.
+std::string number(double value, const char* unit = "") {
+  return std::isfinite(value) ? fmt::format("{:.6g}{}", value, unit) : "-";
+}
+
+/// The mean error at the edges; NaN where no point is near one.
+double edge_mean(const FeatureFigures& f) {
+  return f.zone.count > 0 ? f.zone.mean : std::numeric_limits<double>::quiet_NaN();
+}
+
 std::string row(const char* name, const std::string& values) {
   return fmt::format("{:<11} {}\n", name, values);
 }
@@ -24,9 +35,9 @@ void add_features(Json& json, const Comparison& c, const FeatureFigures& f) {
   json["sharp_edges"] = f.edges;
   json["sharp_corners"] = f.corners;
   json["edge_count"] = f.zone.count;
-  json["edge_mean"] = f.zone.mean;
-  json["edge_mean_relative"] = f.zone.mean / c.error.diagonal;
-  json["edge_mean_ratio"] = f.zone.mean / c.error.mean;
+  json["edge_mean"] = edge_mean(f);
+  json["edge_mean_relative"] = edge_mean(f) / c.error.diagonal;
+  json["edge_mean_ratio"] = edge_mean(f) / c.error.mean;
   if (!f.labels) return;
   json["edge_labels"] = f.labels->edge_labels;
   json["edge_precision"] = f.labels->edge_precision;
@@ -53,9 +64,11 @@ void add_one_by_one(Json& json, const Comparison& c) {
 }
 
 std::string feature_rows(const Comparison& c, const FeatureFigures& f) {
-  std::string text =
-      row("at edges", fmt::format("{:<12.6g} mean error, {:.3g} x that of all points", f.zone.mean,
-                                  f.zone.mean / c.error.mean));
+  const double mean = edge_mean(f);
+  const double ratio = mean / c.error.mean;
+  std::string text = fmt::format("{:<12} mean error", number(mean));
+  if (std::isfinite(ratio)) text += fmt::format(", {:.3g} x that of all points", ratio);
+  text = row("at edges", text);
   if (!f.labels) return text;
   return text +
          row("edges", fmt::format("precision {}, recall {}, recall of points {}",
@@ -103,8 +116,8 @@ Json to_json(const Comparison& c) {
 
 std::string to_text(const Comparison& c) {
   const auto length = [&](const char* name, double value) {
-    return row(name, fmt::format("{:<12.6g} {:.6g} % of the diagonal", value,
-                                 100 * value / c.error.diagonal));
+    return row(name, fmt::format("{:<12.6g} {} of the diagonal", value,
+                                 number(100 * value / c.error.diagonal, " %")));
   };
   std::string text = row("points", fmt::format("{}", c.error.count)) +
                      row("not finite", fmt::format("{}", c.points - c.error.count));
@@ -113,7 +126,7 @@ std::string to_text(const Comparison& c) {
           length("rms", c.error.rms) + length("95 percent", c.error.percentile_95) +
           length("maximum", c.error.maximum);
   if (c.coverage.count > 0) text += length("coverage", c.coverage.mean);
-  if (c.chamfer) text += row("chamfer", fmt::format("{:.6g}", *c.chamfer));
+  if (c.chamfer) text += row("chamfer", number(*c.chamfer));
   if (c.normals && c.normals->count > 0) {
     text += row("normals", fmt::format("{:.3g} degrees off, {:.3g} with their sign",
                                        c.normals->unoriented, c.normals->oriented));
@@ -124,8 +137,8 @@ std::string to_text(const Comparison& c) {
                                         percent(c.outliers->recall)));
   }
   if (c.offsets) {
-    text += row("offset", fmt::format("{:<12.6g} mean along the true normals, rms {:.6g}",
-                                      c.offsets->mean, c.offsets->rms));
+    text += row("offset", fmt::format("{:<12} mean along the true normals, rms {}",
+                                      number(c.offsets->mean), number(c.offsets->rms)));
   }
   return text;
 }

@@ -37,6 +37,31 @@ void print(std::string_view text) {
   }
 }
 
+std::string as_line(std::string_view text) {
+  std::string line;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : 0);
+    if (byte == '\n') {
+      line += "\\n";
+    } else if (byte == '\t') {
+      line += "\\t";
+    } else if (byte < 0x20 || byte == 0x7f) {
+      line += fmt::format("\\x{:02x}", byte);
+    } else if (byte == 0xc2 && next >= 0x80 && next < 0xa0) {  // U+0080 to U+009F
+      line += fmt::format("\\x{:02x}\\x{:02x}", byte, next);
+      ++i;
+    } else {
+      line += text[i];
+    }
+  }
+  return line + '\n';
+}
+
+std::string warning_line(std::string_view text) {
+  return as_line(fmt::format("deburr: warning: {}", text));
+}
+
 void tell(const std::string& text) { (void)std::fputs(text.c_str(), stderr); }
 
 double steady_seconds() {

@@ -16,6 +16,13 @@ namespace deburr::cli {
 /// @throws IoError  if it did not arrive there (full disk, closed pipe)
 void print(std::string_view text);
 
+/// The text as one line, with its end. Control characters, line ends among them, are written as in
+/// C: a name can neither end the line nor steer a terminal.
+[[nodiscard]] std::string as_line(std::string_view text);
+
+/// The line that warns of something.
+[[nodiscard]] std::string warning_line(std::string_view text);
+
 /// Writes a message to stderr. Nothing can be done where that fails.
 void tell(const std::string& text);
 

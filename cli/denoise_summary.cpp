@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "console.hpp"
 #include "deburr/version.hpp"
 #include "denoise_options.hpp"
 
@@ -50,8 +51,9 @@ nlohmann::ordered_json to_json(const DenoiseSummary& summary) {
 
 std::string to_text(const DenoiseSummary& summary) {
   const Report& report = summary.report;
-  std::string text = fmt::format("{}: {} points, spacing {:.6g}, noise {:.6g}\n", summary.input,
-                                 report.points, report.spacing, report.noise);
+  std::string text =
+      as_line(fmt::format("{}: {} points, spacing {:.6g}, noise {:.6g}", summary.input,
+                          report.points, report.spacing, report.noise));
   if (report.non_finite + report.duplicates > 0) {
     text += fmt::format("  {} not finite, {} at the place of an earlier one\n", report.non_finite,
                         report.duplicates);
@@ -74,12 +76,11 @@ std::string to_text(const DenoiseSummary& summary) {
     parts.push_back(fmt::format("{} {:.3g}", stage.stage, stage.seconds));
   }
   text += fmt::format("  seconds: {}\n", fmt::join(parts, ", "));
-  for (const std::string& warning : summary.warnings) {
-    text += fmt::format("deburr: warning: {}\n", warning);
-  }
+  for (const std::string& warning : summary.warnings) text += warning_line(warning);
   const std::string fields =
       summary.added.empty() ? "" : fmt::format(" with {}", fmt::join(summary.added, " "));
-  return text + fmt::format("{} points written to {}{}\n", report.kept, summary.output, fields);
+  return text +
+         as_line(fmt::format("{} points written to {}{}", report.kept, summary.output, fields));
 }
 
 }  // namespace deburr::cli

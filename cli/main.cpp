@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The deburr authors
 // SPDX-License-Identifier: Apache-2.0
+#include <fcntl.h>
 #include <fmt/format.h>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -28,7 +30,7 @@ namespace {
 enum ExitCode { ok = 0, other = 1, usage = 2, file = 3, data = 4, stopped = 130 };
 
 int fail(ExitCode code, const std::string& message) {
-  tell(fmt::format("deburr: {}\n", message));
+  tell(as_line(fmt::format("deburr: {}", message)));
   return code;
 }
 
@@ -75,6 +77,15 @@ int run(int argc, const char* const* argv) {
   }
 }
 
+/// Opens what is closed of stdin, stdout and stderr, so that no file takes the place of one and
+/// gets what is meant for it. The direction is the wrong one: whoever uses it is told.
+void hold_standard_streams() {
+  for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(fd, F_GETFD) >= 0) continue;
+    (void)open("/dev/null", (fd == STDIN_FILENO ? O_WRONLY : O_RDONLY) | O_CLOEXEC);
+  }
+}
+
 int guarded_run(int argc, const char* const* argv) {
   try {
     return run(argc, argv);
@@ -108,6 +119,7 @@ void give_memory_back() {
 }  // namespace deburr::cli
 
 int main(int argc, char** argv) {
+  deburr::cli::hold_standard_streams();
   deburr::cli::give_memory_back();
   // A closed pipe, or a file beyond the size allowed, is then an error of the write, told like any
   // other.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -10,10 +11,11 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include "deburr/error.hpp"
+#include "io/links.hpp"
+#include "places.hpp"
 
 namespace deburr::cli {
 
@@ -21,6 +23,12 @@ namespace fs = std::filesystem;
 
 void check_output(const std::string& path) {
   if (path == "-") return;
+  if (const std::optional<int> open = own_descriptor(path)) {
+    const int flags = fcntl(*open, F_GETFL);
+    if (flags < 0) throw IoError(path, std::strerror(errno));
+    if ((flags & O_ACCMODE) == O_RDONLY) throw IoError(path, "is open for reading only");
+    return;
+  }
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (fs::is_directory(status)) throw IoError(path, "is a folder");
@@ -28,12 +36,7 @@ void check_output(const std::string& path) {
     throw IoError(path, fmt::format("cannot write: {}", std::strerror(errno)));
   }
   if (fs::is_other(status)) return;  // a pipe or a terminal is not replaced
-  // Through symbolic links, also to nowhere: the file is made where they point to.
-  fs::path target = path;
-  for (int i = 0; i < 40 && fs::is_symlink(target, ignored); ++i) {
-    target = target.parent_path() / fs::read_symlink(target, ignored);
-  }
-  const fs::path folder = target.parent_path();
+  const fs::path folder = follow_links(path).parent_path();
   if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0) {
     throw IoError(path, fmt::format("cannot write in its folder: {}", std::strerror(errno)));
   }
@@ -60,19 +63,13 @@ void check_in_format(const std::string& format) {
       fmt::format("--in-format {}: must be one of {}", format, fmt::join(known, " ")));
 }
 
-void check_json(const std::string& path, bool json) {
-  if (path == "-" && json) {
-    throw std::invalid_argument("--json: the points go to the standard output already");
-  }
-}
-
-void check_different(const std::string& option, const std::string& path, const std::string& other) {
-  if (path.empty() || other.empty() || path == "-" || other == "-") return;
+void check_extension(const std::string& option, const std::string& path,
+                     const std::vector<std::string>& known, const std::string& what) {
   std::error_code ignored;
-  if (fs::equivalent(path, other, ignored) ||
-      fs::weakly_canonical(path, ignored) == fs::weakly_canonical(other, ignored)) {
-    throw std::invalid_argument(fmt::format("{} {} would overwrite {}", option, path, other));
-  }
+  const bool has_name = !is_open_stream(path) && !fs::is_other(fs::status(path, ignored));
+  if (!has_name || std::ranges::find(known, extension(path)) != known.end()) return;
+  throw std::invalid_argument(
+      fmt::format("{} {}: {} is written as {}", option, path, what, fmt::join(known, " or ")));
 }
 
 std::string extension(const std::string& path) {
@@ -81,24 +78,6 @@ std::string extension(const std::string& path) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });
   return text;
-}
-
-void write_text(const std::string& path, const std::string& text) {
-  std::error_code error;
-  const bool directly = fs::is_other(fs::status(path, error));  // a pipe or a terminal
-  const fs::path target = fs::weakly_canonical(path, error);
-  const fs::path written =
-      directly ? fs::path(path) : fs::path(fmt::format("{}.{}.tmp", target.string(), getpid()));
-  errno = 0;
-  std::ofstream file(written, std::ios::binary);
-  file << text << std::flush;
-  file.close();
-  if (!file) {
-    const int reason = errno;
-    if (!directly) fs::remove(written, error);
-    throw IoError(path, std::strerror(reason));
-  }
-  if (!directly) fs::rename(written, target);
 }
 
 }  // namespace deburr::cli

@@ -29,9 +29,11 @@ void add_still(const view::ShownCloud& shown, view::Up up, std::vector<view::Sti
 
 }  // namespace
 
+std::vector<std::string> page_extensions() { return {".html", ".htm"}; }
+
 bool is_page(const std::string& path) {
-  const std::string end = extension(path);
-  return end == ".html" || end == ".htm";
+  const std::vector<std::string> known = page_extensions();
+  return std::ranges::find(known, extension(path)) != known.end();
 }
 
 void check_page_output(const std::string& path) {
@@ -50,12 +52,8 @@ PreparedPage prepare_page(const view::Request& request, const view::SceneOptions
   return page;
 }
 
-std::size_t write_page(const std::string& path, const PreparedPage& page,
-                       const std::string& report) {
-  const std::string html =
-      view::page_html(view::viewer_template(), page.scene, {report, page.stills});
-  view::write_page(path, html);
-  return html.size();
+std::string page_html(const PreparedPage& page, const std::string& report) {
+  return view::page_html(view::viewer_template(), page.scene, {report, page.stills});
 }
 
 }  // namespace deburr::cli

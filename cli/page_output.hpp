@@ -10,6 +10,9 @@
 
 namespace deburr::cli {
 
+/// The extensions of pages, in small letters.
+[[nodiscard]] std::vector<std::string> page_extensions();
+
 /// Whether a report of this name is a page to look at.
 [[nodiscard]] bool is_page(const std::string& path);
 
@@ -29,9 +32,8 @@ struct PreparedPage {
                                         const view::SceneOptions& options,
                                         const Execution& execution);
 
-/// Writes a page and returns its size in bytes.
+/// The page, one HTML file.
 /// @param report  a JSON object as `deburr denoise --json` prints it; may be empty
-std::size_t write_page(const std::string& path, const PreparedPage& page,
-                       const std::string& report = {});
+[[nodiscard]] std::string page_html(const PreparedPage& page, const std::string& report = {});
 
 }  // namespace deburr::cli

@@ -34,8 +34,6 @@ void ReportPage::take(DenoiseResult& result, const Execution& execution) {
   before_ = {};
 }
 
-void ReportPage::write(const std::string& path, const std::string& report) const {
-  write_page(path, page_, report);
-}
+std::string ReportPage::html(const std::string& report) const { return page_html(page_, report); }
 
 }  // namespace deburr::cli

@@ -20,7 +20,7 @@ class ReportPage {
   void take(DenoiseResult& result, const Execution& execution);
 
   /// @param report  of the whole run, as JSON
-  void write(const std::string& path, const std::string& report) const;
+  [[nodiscard]] std::string html(const std::string& report) const;
 
  private:
   std::string input_;

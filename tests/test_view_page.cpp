@@ -107,14 +107,6 @@ TEST(ViewPage, RefusesATemplateWithoutItsMarks) {
                std::invalid_argument);
 }
 
-TEST(ViewPage, AppearsWholeOrNotAtAll) {
-  EXPECT_THROW(write_page("/nonexistent/folder/x.html", "text"), IoError);
-  const auto path = std::filesystem::temp_directory_path() / "deburr_test_view_page.html";
-  write_page(path, "text");
-  EXPECT_EQ(std::filesystem::file_size(path), 4U);
-  std::filesystem::remove(path);
-}
-
 TEST(ViewPage, TheTemplateRunsOnlyItsOwnScript) {
   const std::string built(viewer_template());
   if (built.empty()) GTEST_SKIP() << "built without the viewer";

@@ -35,7 +35,8 @@ struct FormatInfo {
 /// coordinates are read as such. Vertices of a mesh are points; its faces are the element "face"
 /// of the layout. docs/formats.md has the details.
 ///
-/// @param path       "-" is the standard input
+/// @param path       "-" is the standard input; it and what else is open already (/dev/stdin,
+///                   /dev/fd/3) is read from where it stands
 /// @param cancelled  asked now and then; true makes the call throw Cancelled
 /// @param format     one of format_names() where the content is not to be looked at
 /// @throws IoError   naming the line or byte, for a file that is missing or malformed
@@ -52,14 +53,16 @@ struct FormatInfo {
 ///
 /// The file appears whole or not at all: it is written beside the target and then renamed over
 /// it. A symbolic link keeps pointing where it did, its target is replaced. Devices and pipes are
-/// written directly. Within a format, encoding, header and comments are those of `cloud.layout`;
-/// text without a header keeps exactly the columns of the layout. Coordinates of PLY, OBJ, OFF and
-/// text are read back as the same doubles. LAS rounds them once to its grid, of which points that
-/// did not move are part; binary STL, and PCD whose input had floats, to 32-bit floats.
+/// written directly, and what is open already (/dev/stdout, /dev/fd/3) from where it stands. Within
+/// a format, encoding, header and comments are those of `cloud.layout`; text without a header keeps
+/// exactly the columns of the layout. Coordinates of PLY, OBJ, OFF and text are read back as the
+/// same doubles. LAS rounds them once to its grid, of which points that did not move are part;
+/// binary STL, and PCD whose input had floats, to 32-bit floats.
 ///
 /// @param path       "-" is the standard output
 /// @param cancelled  asked now and then; true makes the call throw Cancelled, the target untouched
-/// @param format     where the extension is not to be looked at; PLY for "-" without it
+/// @param format     where the extension is not to be looked at; PLY without it for "-" and
+///                   what is open already, which has no extension
 /// @return what the format could not hold, one sentence each
 /// @throws IoError   if the file cannot be written; the target is then untouched
 /// @throws DataError for coordinates that are not finite in LAS, which has no place for them

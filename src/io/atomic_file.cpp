@@ -14,38 +14,10 @@
 #include <utility>
 
 #include "deburr/error.hpp"
+#include "io/links.hpp"
 
 namespace deburr {
 namespace {
-
-constexpr int most_links = 40;  ///< as in the kernel
-
-/// One step of following a link, by hand, because the file at its end need not exist.
-std::filesystem::path step_along(const std::filesystem::path& link) {
-  std::error_code error;
-  return link.parent_path() / std::filesystem::read_symlink(link, error);
-}
-
-bool is_link(const std::filesystem::path& path) {
-  std::error_code error;
-  return std::filesystem::is_symlink(path, error);
-}
-
-std::filesystem::path follow_links(std::filesystem::path path) {
-  for (int i = 0; i < most_links && is_link(path); ++i) path = step_along(path);
-  return path;
-}
-
-/// Whether a path goes through a descriptor that some process holds, as /dev/stdout does.
-bool leads_through_descriptor(std::filesystem::path path) {
-  for (int i = 0; i < most_links && is_link(path); ++i) {
-    std::error_code error;
-    const std::filesystem::path folder = std::filesystem::canonical(path.parent_path(), error);
-    if (folder.filename() == "fd" && folder.native().starts_with("/proc/")) return true;
-    path = step_along(path);
-  }
-  return false;
-}
 
 /// The path by which a file that has no name can be given one.
 std::string path_of(int fd) { return fmt::format("/proc/self/fd/{}", fd); }
@@ -53,10 +25,10 @@ std::string path_of(int fd) { return fmt::format("/proc/self/fd/{}", fd); }
 }  // namespace
 
 AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(path), target_(path) {
-  if (path == "-") {
-    path_ = "standard output";
+  if (path == "-") path_ = "standard output";
+  if (const std::optional<int> open = path == "-" ? STDOUT_FILENO : own_descriptor(path)) {
     // A copy, so that closing tells of errors and leaves the caller's alone.
-    fd_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+    fd_ = ::fcntl(*open, F_DUPFD_CLOEXEC, 3);
     if (fd_ < 0) fail("cannot write", errno);
     return;
   }
@@ -64,7 +36,7 @@ AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(path), target_
   const bool exists = ::stat(path.c_str(), &status) == 0;
   if (!exists && errno != ENOENT) fail("cannot write", errno);
   if (exists && S_ISDIR(status.st_mode)) fail("cannot write", EISDIR);
-  // /dev/stdout can lead to a regular file, which the shell holds open and must not lose.
+  // A regular file that another process holds open must not be lost to it.
   if (exists && (!S_ISREG(status.st_mode) || leads_through_descriptor(path))) {
     fd_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (fd_ < 0) fail("cannot write", errno);
@@ -112,20 +84,20 @@ void AtomicFile::open_temporary(bool replaces, unsigned mode) {
   }
 }
 
+bool AtomicFile::link_to(const std::filesystem::path& name) const {
+  return ::linkat(AT_FDCWD, path_of(fd_).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+}
+
+/// A link does not replace a file, but a file with a name does.
 void AtomicFile::give_name() {
-  const std::string source = path_of(fd_);
-  const auto link_to = [&](const std::filesystem::path& name) {
-    return ::linkat(AT_FDCWD, source.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
-  };
-  if (link_to(target_)) return;
-  // A link does not replace a file, but a file with a name does.
-  for (unsigned attempt = 0; errno == EEXIST; ++attempt) {
+  for (unsigned attempt = 0; temporary_.empty(); ++attempt) {
     const std::filesystem::path name = temporary_name(attempt);
-    if (!link_to(name)) continue;
-    temporary_ = name;
-    return;
+    if (link_to(name)) {
+      temporary_ = name;
+    } else if (errno != EEXIST) {
+      fail("cannot make a file in its directory", errno);
+    }
   }
-  fail("cannot make a file in its directory", errno);
 }
 
 void AtomicFile::write(std::string_view data) {
@@ -140,12 +112,22 @@ void AtomicFile::close() {
   if (::close(std::exchange(fd_, -1)) != 0) fail("cannot write", errno);
 }
 
-void AtomicFile::commit() {
-  const bool is_direct = !is_nameless_ && temporary_.empty();
-  if (is_direct) return close();
-  if (::fsync(fd_) != 0) fail("cannot write", errno);
-  if (is_nameless_) give_name();
+void AtomicFile::sync() {
+  if (fd_ >= 0 && !is_direct() && ::fsync(fd_) != 0) fail("cannot write", errno);
+}
+
+void AtomicFile::end(bool in_place) {
+  if (fd_ < 0) return;
+  sync();
+  // Where nothing is in its place, it needs no other name before.
+  if (is_nameless_ && !(in_place && link_to(target_))) give_name();
   close();
+}
+
+void AtomicFile::finish() { end(false); }
+
+void AtomicFile::commit() {
+  end(true);
   if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail("cannot replace", errno);
   temporary_.clear();

@@ -19,26 +19,40 @@ struct RoleName {
 };
 
 /// In the order in which they are looked for.
-constexpr std::array<RoleName, 16> known_names{{{"x", 0},
-                                                {"y", 1},
-                                                {"z", 2},
-                                                {"easting", 0},
-                                                {"northing", 1},
-                                                {"height", 2},
-                                                {"elevation", 2},
-                                                {"nx", 3},
-                                                {"ny", 4},
-                                                {"nz", 5},
-                                                {"normal_x", 3},
-                                                {"normal_y", 4},
-                                                {"normal_z", 5},
-                                                {"normalx", 3},
-                                                {"normaly", 4},
-                                                {"normalz", 5}}};
+constexpr std::array<RoleName, 7> coordinate_names{{{"x", 0},
+                                                    {"y", 1},
+                                                    {"z", 2},
+                                                    {"easting", 0},
+                                                    {"northing", 1},
+                                                    {"height", 2},
+                                                    {"elevation", 2}}};
+
+/// Normals have the three names of one of these.
+constexpr std::array<std::array<std::string_view, 3>, 3> normal_names{
+    {{"nx", "ny", "nz"}, {"normal_x", "normal_y", "normal_z"}, {"normalx", "normaly", "normalz"}}};
 
 bool equal_ignoring_case(std::string_view a, std::string_view b) {
   const auto lower = [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; };
   return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+/// Whether readers know one of the normals by this name.
+bool is_normal_name(std::string_view name) {
+  return std::ranges::any_of(normal_names, [&](const auto& three) {
+    return std::ranges::any_of(three,
+                               [&](std::string_view s) { return equal_ignoring_case(s, name); });
+  });
+}
+
+/// Marks the names by which normals that are new would be read from fields that were there before:
+/// a file with a field ny alone has no normals.
+void set_apart_from_normals(std::vector<Column>& columns) {
+  for (Column& column : columns) {
+    if (column.role != no_role || !is_normal_name(column.name)) continue;
+    do {
+      column.name += '_';
+    } while (std::ranges::count(columns, column.name, &Column::name) > 1);
+  }
 }
 
 void check_size(std::string_view what, const Attribute& attribute, std::size_t size) {
@@ -72,15 +86,21 @@ void check_sizes(const PointCloud& cloud) {
 
 std::vector<int> find_roles(const std::vector<std::string>& names) {
   std::vector<int> roles(names.size(), no_role);
-  for (const auto& [name, role] : known_names) {
-    if (find_role(roles, role) < names.size()) continue;
+  const auto place_of = [&](std::string_view name) {
     const auto found = std::ranges::find_if(
         names, [&](const std::string& s) { return equal_ignoring_case(s, name); });
-    if (found != names.end()) roles[static_cast<std::size_t>(found - names.begin())] = role;
+    return static_cast<std::size_t>(found - names.begin());
+  };
+  for (const auto& [name, role] : coordinate_names) {
+    const std::size_t place = place_of(name);
+    if (find_role(roles, role) == names.size() && place < names.size()) roles[place] = role;
   }
-  if (std::ranges::count_if(roles, [](int role) { return role >= 3; }) != 3) {
-    std::ranges::replace_if(
-        roles, [](int role) { return role >= 3; }, no_role);
+  for (const auto& three : normal_names) {
+    std::array<std::size_t, 3> places{};
+    std::ranges::transform(three, places.begin(), place_of);
+    if (std::ranges::max(places) == names.size()) continue;
+    for (std::size_t k = 0; k < 3; ++k) roles[places[k]] = 3 + static_cast<int>(k);
+    break;
   }
   return roles;
 }
@@ -132,6 +152,8 @@ std::vector<Column> columns_of(const PointCloud& cloud) {
   for (const Attribute& a : cloud.attributes) {
     if (!added.contains(&a)) columns.push_back({a.name, a.type(), no_role, false, nullptr, &a});
   }
+  const bool has_new_normals = role_count == 6 && find_role(roles, 3) == roles.size();
+  if (has_new_normals) set_apart_from_normals(columns);
 
   std::set<std::string_view> all;
   for (const Column& column : columns) {

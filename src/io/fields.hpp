@@ -20,7 +20,7 @@ inline constexpr std::array<std::string_view, 6> role_names{"x", "y", "z", "nx",
 inline constexpr std::array<double Vec3::*, 3> axes{&Vec3::x, &Vec3::y, &Vec3::z};
 
 /// The role of every name. Upper and lower case are the same; x is also found as easting and so on,
-/// but only where there is no x. Normals have a role only if all three are there.
+/// but only where there is no x. Normals have a role only if all three are there, named alike.
 [[nodiscard]] std::vector<int> find_roles(const std::vector<std::string>& names);
 
 /// Position of the field with this role, or the number of fields.
@@ -31,7 +31,7 @@ inline constexpr std::array<double Vec3::*, 3> axes{&Vec3::x, &Vec3::y, &Vec3::z
 
 /// One column of a file that a cloud is written to.
 struct Column {
-  std::string name;
+  std::string name;                       ///< of an attribute whose own one is taken, another
   ScalarType type = ScalarType::Float64;  ///< that the layout wishes
   int role = no_role;
   bool in_layout = false;
@@ -45,7 +45,7 @@ struct Column {
 };
 
 /// All columns: first those of the layout in its order, then normals and attributes that it does
-/// not name.
+/// not name. An attribute with the name of a normal that is new gets another name.
 /// @throws std::invalid_argument  if two have the same name, or sizes differ
 [[nodiscard]] std::vector<Column> columns_of(const PointCloud& cloud);
 

@@ -13,6 +13,7 @@
 #include "deburr/io.hpp"
 #include "io/fields.hpp"
 #include "io/las.hpp"
+#include "io/links.hpp"
 #include "io/losses.hpp"
 #include "io/obj.hpp"
 #include "io/off.hpp"
@@ -49,7 +50,10 @@ constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
 /// What a file is called in messages and in the lookup of its format.
 std::string name_of(const std::filesystem::path& path, std::string_view format) {
   if (!format.empty()) return std::string(format);
-  return path == "-" ? "ply" : lower_extension(path);
+  std::string extension = lower_extension(path);
+  // An open file has no name that could tell.
+  const bool is_nameless = extension.empty() && (path == "-" || own_descriptor(path));
+  return is_nameless ? "ply" : extension;
 }
 
 const Format& known_format(std::string_view name) {
@@ -115,11 +119,17 @@ std::vector<std::string> write_cloud(const std::filesystem::path& path, const Po
     throw std::invalid_argument(fmt::format("output must end in one of .{}, got '{}'",
                                             fmt::join(format_names(), " ."), path.string()));
   }
-  const Format& row = known_format(name);
+  (void)known_format(name);
   AtomicFile file(path);
-  std::vector<std::string> warnings = row.write({file, name, cloud, cancelled});
+  std::vector<std::string> warnings = write_cloud(file, cloud, cancelled, name);
   file.commit();
   return warnings;
+}
+
+std::vector<std::string> write_cloud(AtomicFile& file, const PointCloud& cloud,
+                                     const std::function<bool()>& cancelled,
+                                     std::string_view format) {
+  return known_format(format).write({file, format, cloud, cancelled});
 }
 
 std::vector<std::string> format_names() {

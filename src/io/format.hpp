@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "deburr/mesh.hpp"
 #include "deburr/point_cloud.hpp"
 #include "io/atomic_file.hpp"
 #include "io/source.hpp"
@@ -51,6 +52,16 @@ struct Format {
 /// @param name  of the format, where neither is to be looked at
 /// @throws std::invalid_argument  for a name that is not known
 [[nodiscard]] PointCloud parse_cloud(const Source& source, std::string_view name = {});
+
+/// As write_cloud of io.hpp, without putting the file in its place.
+std::vector<std::string> write_cloud(AtomicFile& file, const PointCloud& cloud,
+                                     const std::function<bool()>& cancelled,
+                                     std::string_view format);
+
+/// As write_mesh of io.hpp, without putting the file in its place.
+/// @throws Cancelled  when cancelled says so
+void write_mesh(AtomicFile& file, const TriangleMesh& mesh,
+                const std::function<bool()>& cancelled = {});
 
 /// The extension of a path in lower case, without its dot.
 [[nodiscard]] std::string lower_extension(const std::filesystem::path& path);

@@ -74,7 +74,7 @@ class Planner {
     }
     for (const Column& c : columns_) {
       if (c.role >= 3) add_normal(c);
-      if (c.role == no_role && !held_.contains(c.attribute)) add_extra(*c.attribute);
+      if (c.role == no_role && !held_.contains(c.attribute)) add_extra(c);
     }
     place_extras();
     return std::move(plan_);
@@ -171,8 +171,9 @@ class Planner {
     return true;
   }
 
-  void add_extra(const Attribute& attribute) {
-    if (plan_.has_layout) {
+  void add_extra(const Column& column) {
+    const Attribute& attribute = *column.attribute;
+    if (plan_.has_layout && column.name == attribute.name) {
       // A reader puts marks behind a name that is taken.
       const std::string name = attribute.name.substr(0, attribute.name.find_last_not_of('_') + 1);
       const auto old = std::ranges::find_if(old_, [&](const LasExtra& e) {
@@ -189,7 +190,8 @@ class Planner {
     if (attribute.type() == ScalarType::Text || attribute.is_list()) {
       return losses_.add(attribute);
     }
-    add(make_las_extra(unique_name(attribute.name), attribute.type()), &attribute, nullptr);
+    losses_.add_renamed(column);
+    add(make_las_extra(unique_name(column.name), attribute.type()), &attribute, nullptr);
   }
 
   /// Whether every item has so many values.

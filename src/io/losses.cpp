@@ -26,6 +26,12 @@ void Losses::add(const Attribute& attribute) {
                   kind == "text" ? "was" : "were"));
 }
 
+void Losses::add_renamed(const Column& column) {
+  if (column.attribute == nullptr || column.attribute->name == column.name) return;
+  add(fmt::format("the field '{}' was written as '{}', since the normals have its name",
+                  column.attribute->name, column.name));
+}
+
 void Losses::add(const Element& element) {
   add(fmt::format("{} cannot hold the element '{}' ({} items), which was left out", format_,
                   element.name, element.size));

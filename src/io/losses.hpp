@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "deburr/point_cloud.hpp"
+#include "io/fields.hpp"
 
 namespace deburr {
 
@@ -18,6 +19,8 @@ class Losses {
   void add(std::string sentence) { sentences_.push_back(std::move(sentence)); }
   /// An attribute that was left out.
   void add(const Attribute& attribute);
+  /// That an attribute was written under another name, if it was.
+  void add_renamed(const Column& column);
   /// An element that was left out.
   void add(const Element& element);
   /// All elements, but for these attributes of theirs.

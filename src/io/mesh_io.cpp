@@ -12,7 +12,6 @@
 #include "io/atomic_file.hpp"
 #include "io/faces.hpp"
 #include "io/format.hpp"
-#include "io/ply.hpp"
 #include "io/source.hpp"
 
 namespace deburr {
@@ -80,7 +79,8 @@ std::variant<TriangleMesh, PointCloud> read_mesh_or_cloud(const std::filesystem:
   return cloud;
 }
 
-void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
+void write_mesh(AtomicFile& file, const TriangleMesh& mesh,
+                const std::function<bool()>& cancelled) {
   Attribute faces{"vertex_indices", {}, {0}, ScalarType::UInt8};
   std::vector<std::uint32_t> corners;
   for (const auto& triangle : mesh.triangles) {
@@ -101,8 +101,12 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
   }
   PointCloud cloud{mesh.vertices, {}, {}, {}};
   cloud.layout.elements.push_back({"face", mesh.triangles.size(), {std::move(faces)}, false});
+  (void)write_cloud(file, cloud, cancelled, "ply");
+}
+
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
   AtomicFile file(path);
-  (void)write_ply({file, "ply", cloud, {}});
+  write_mesh(file, mesh);
   file.commit();
 }
 

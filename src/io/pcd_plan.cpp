@@ -13,6 +13,12 @@
 namespace deburr {
 namespace {
 
+/// Of a coordinate.
+std::string name_of(const Column& c, bool is_pcd_layout) {
+  constexpr std::array names{"x", "y", "z", "normal_x", "normal_y", "normal_z"};
+  return is_pcd_layout && c.in_layout ? c.name : names.at(static_cast<std::size_t>(c.role));
+}
+
 bool is_pcd(Encoding encoding) {
   return encoding == Encoding::PcdAscii || encoding == Encoding::PcdBinary ||
          encoding == Encoding::PcdCompressed;
@@ -39,10 +45,13 @@ PcdPlan::PcdPlan(const PointCloud& cloud, const std::vector<Column>& columns, Lo
   // Normals that are new have the type of the coordinates: PCL reads both as floats only.
   const auto x = std::ranges::find(columns, 0, &Column::role);
   for (const Column& c : columns) {
+    if (c.role != no_role) names_.insert(name_of(c, is_pcd_layout));
+  }
+  for (const Column& c : columns) {
     if (c.role != no_role) {
       add_coordinate(c, is_pcd_layout, c.in_layout || c.role < 3 ? c.type : x->type);
     } else {
-      add_attribute(*c.attribute, losses);
+      add_attribute(c, losses);
     }
   }
   losses.add_elements(layout);
@@ -73,21 +82,19 @@ void PcdPlan::add(std::string name, ScalarType type, std::size_t count, PcdSourc
       name, [](char c) { return c == '\n' || is_blank(c); }, '_');
   // The name of a field of padding.
   if (name.empty() || name == "_") name = "field";
-  while (!names_.insert(name).second) name += '_';
+  while (source.coordinate == nullptr && !names_.insert(name).second) name += '_';
   header.fields.push_back({name, type, count, header.point_bytes});
   header.point_bytes += size_of(type) * count;
   sources.push_back(source);
 }
 
 void PcdPlan::add_coordinate(const Column& c, bool is_pcd_layout, ScalarType wish) {
-  constexpr std::array names{"x", "y", "z", "normal_x", "normal_y", "normal_z"};
   const bool is_real = wish == ScalarType::Float32 || wish == ScalarType::Float64;
-  const bool keeps_name = is_pcd_layout && c.in_layout;
-  add(keeps_name ? c.name : names.at(static_cast<std::size_t>(c.role)),
-      is_real ? wish : ScalarType::Float64, 1, {&c, nullptr});
+  add(name_of(c, is_pcd_layout), is_real ? wish : ScalarType::Float64, 1, {&c, nullptr});
 }
 
-void PcdPlan::add_attribute(const Attribute& attribute, Losses& losses) {
+void PcdPlan::add_attribute(const Column& column, Losses& losses) {
+  const Attribute& attribute = *column.attribute;
   if (std::ranges::find(colors.of, &attribute) != colors.of.end()) {
     if (&attribute == colors.of[0]) add(color_name_, ScalarType::UInt32, 1, {});
     constexpr unsigned byte = 255;
@@ -101,7 +108,8 @@ void PcdPlan::add_attribute(const Attribute& attribute, Losses& losses) {
     }
   }
   if (attribute.type() == ScalarType::Text || count == 0) return losses.add(attribute);
-  add(attribute.name, attribute.type(), count, {nullptr, &attribute});
+  losses.add_renamed(column);
+  add(column.name, attribute.type(), count, {nullptr, &attribute});
 }
 
 }  // namespace deburr

@@ -38,7 +38,7 @@ class PcdPlan {
   void take_colors(bool is_pcd_layout);
   void add(std::string name, ScalarType type, std::size_t count, PcdSource source);
   void add_coordinate(const Column& c, bool is_pcd_layout, ScalarType wish);
-  void add_attribute(const Attribute& attribute, Losses& losses);
+  void add_attribute(const Column& column, Losses& losses);
 
   const PointCloud& cloud_;
   std::string color_name_;

@@ -69,7 +69,7 @@ class PlyWriter {
       if (element.before_points != before_points) continue;
       std::vector<PlySource> sources;
       std::set<std::string> names;
-      for (const Attribute& a : element.attributes) add_attribute(sources, names, a);
+      for (const Attribute& a : element.attributes) add_attribute(sources, names, a, a.name);
       if (sources.empty() && !element.attributes.empty()) continue;  // said of its attributes
       add_element(element.name, element.size, std::move(sources));
     }
@@ -90,7 +90,7 @@ class PlyWriter {
     const bool promote_normals = !hold_exactly(columns_, 3, is_text);
     for (const Column& c : columns_) {
       if (c.role == no_role) {
-        add_attribute(sources, names, *c.attribute);
+        if (add_attribute(sources, names, *c.attribute, c.name)) losses_.add_renamed(c);
         continue;
       }
       const bool promote = c.role < 3 ? promote_points : promote_normals;
@@ -99,21 +99,23 @@ class PlyWriter {
     add_element("vertex", cloud_.size(), std::move(sources));
   }
 
-  void add_attribute(std::vector<PlySource>& sources, std::set<std::string>& names,
-                     const Attribute& attribute) {
+  /// Whether PLY can hold it.
+  bool add_attribute(std::vector<PlySource>& sources, std::set<std::string>& names,
+                     const Attribute& attribute, const std::string& name) {
     const Attribute* held = &attribute;
     if (!is_ply_type(attribute.type())) {
       std::optional<Attribute> narrow = narrow_to_ply(attribute);
       if (!narrow) {
         losses_.add(attribute);
-        return;
+        return false;
       }
       held = &narrowed_.emplace_back(std::move(*narrow));
     }
-    sources.push_back({{ply_name(attribute.name, names), held->type(), held->is_list(),
+    sources.push_back({{ply_name(name, names), held->type(), held->is_list(),
                         held->is_list() ? length_type_of(*held) : ScalarType::UInt8},
                        nullptr,
                        held});
+    return true;
   }
 
   void add_element(const std::string& name, std::size_t size, std::vector<PlySource> sources) {

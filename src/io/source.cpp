@@ -11,12 +11,14 @@
 #include <cerrno>
 #include <cstdlib>
 #include <new>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "deburr/error.hpp"
 #include "io/large_pages.hpp"
+#include "io/links.hpp"
 
 namespace deburr {
 namespace {
@@ -76,8 +78,9 @@ Source load(const std::filesystem::path& path, const std::function<bool()>& canc
   const auto fail = [&] { source.fail(std::generic_category().message(errno)); };
   const bool is_input = path == "-";
   if (is_input) source.path = "standard input";
-  const Descriptor file(is_input ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3)
-                                 : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  const std::optional<int> open = is_input ? STDIN_FILENO : own_descriptor(path);
+  const Descriptor file(open ? ::fcntl(*open, F_DUPFD_CLOEXEC, 3)
+                             : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status {};
   if (file.fd < 0 || ::fstat(file.fd, &status) != 0) fail();
 

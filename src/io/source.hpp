@@ -23,7 +23,8 @@ struct Source {
   [[noreturn]] void fail(const std::string& what) const;
 };
 
-/// Reads a whole file, or a pipe up to its end; "-" is the standard input.
+/// Reads a whole file, or a pipe up to its end; "-" is the standard input. What is open already
+/// (/dev/stdin, /dev/fd/3) is read from where it stands.
 /// @throws IoError  if it cannot be read
 [[nodiscard]] Source load(const std::filesystem::path& path,
                           const std::function<bool()>& cancelled = {});

@@ -70,6 +70,7 @@ class TextWriter {
     } else if (!is_text_layout && !explains_itself()) {
       layout_.header = TextHeader::Plain;
     }
+    for (const Column& c : columns_) losses_.add_renamed(c);
     // A file without any content could not be read again.
     if (cloud_.size() == 0 && !layout_.count_line && layout_.header == TextHeader::None) {
       layout_.header = TextHeader::Plain;

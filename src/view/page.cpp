@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "deburr/version.hpp"
-#include "io/atomic_file.hpp"
 #include "view/encode.hpp"
 
 namespace deburr::view {
@@ -122,12 +121,6 @@ std::string make_page(const Request& request, const std::string& report,
   if (page.empty()) throw std::runtime_error(missing_viewer());
   const std::size_t room = room_for_points(options, page, report.size(), {});
   return page_html(page, make_scene(request, room, options, execution), {.report = report});
-}
-
-void write_page(const std::filesystem::path& path, const std::string& html) {
-  AtomicFile file(path);
-  file.write(html);
-  file.commit();
 }
 
 }  // namespace deburr::view

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,9 +49,5 @@ struct PageText {
 [[nodiscard]] std::string make_page(const Request& request, const std::string& report = {},
                                     const SceneOptions& options = {},
                                     const Execution& execution = {});
-
-/// Writes a page, whole or not at all; "-" is the standard output.
-/// @throws IoError  if the file cannot be written
-void write_page(const std::filesystem::path& path, const std::string& html);
 
 }  // namespace deburr::view

@@ -18,6 +18,8 @@ constexpr unsigned longest_run = 120;  // seconds
 
 using TemporaryFile = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
+void give(int fd, int as) { fd == closed ? (void)close(as) : (void)dup2(fd, as); }
+
 std::string contents(std::FILE* file) {
   std::rewind(file);
   std::string text;
@@ -37,9 +39,9 @@ pid_t start_program(const std::vector<std::string>& args, int out, int err, int 
 
   const pid_t child = fork();
   if (child == 0) {
-    if (in >= 0) (void)dup2(in, STDIN_FILENO);
-    (void)dup2(out, STDOUT_FILENO);
-    (void)dup2(err, STDERR_FILENO);
+    if (in != -1) give(in, STDIN_FILENO);
+    give(out, STDOUT_FILENO);
+    give(err, STDERR_FILENO);
     (void)alarm(longest_run);
     (void)execv(argv[0], argv.data());
     _exit(127);

@@ -18,6 +18,9 @@ struct Outcome {
   std::string err;
 };
 
+/// In place of a descriptor: the program finds the stream closed.
+inline constexpr int closed = -2;
+
 /// Starts the program with these file descriptors as its stdout, stderr and maybe stdin. It is
 /// killed after two minutes, so that no test can hang.
 [[nodiscard]] pid_t start_program(const std::vector<std::string>& args, int out, int err,

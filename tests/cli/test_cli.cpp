@@ -18,17 +18,10 @@ namespace deburr::cli {
 namespace {
 
 using nlohmann::json;
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
 PointCloud part(std::size_t points) { return synthesize_part({.points = points}).cloud; }
-
-std::vector<std::string> attribute_names(const PointCloud& cloud) {
-  std::vector<std::string> names;
-  for (const Attribute& attribute : cloud.attributes) names.push_back(attribute.name);
-  return names;
-}
 
 template <typename T>
 std::vector<T> values_of(const PointCloud& cloud, const std::string& name) {
@@ -112,15 +105,6 @@ TEST_F(CliTest, DenoiseHandsTheOptionsOfTheDefaultMethodOn) {
               HasSubstr(std::to_string(expected.cloud.size()) + " points written to out.ply"));
 }
 
-TEST_F(CliTest, DenoiseMarksOutliersWhereItIsAsked) {
-  const PointCloud cloud =
-      synthesize_part({.points = 1500, .noise = 0.004, .outliers = 0.05}).cloud;
-  write_cloud("in.ply", cloud);
-  ASSERT_EQ(run_program({"denoise", "in.ply", "out.ply", "--add", "outlier"}).exit_code, 0);
-  const PointCloud written = read_cloud("out.ply");
-  EXPECT_EQ(values_of<std::uint8_t>(written, "deburr_outlier"), denoise(cloud).outliers);
-}
-
 TEST_F(CliTest, DenoiseGivesTheSameBytesForAnyNumberOfThreads) {
   write_cloud("in.ply", part(3000));
   ASSERT_EQ(run_program({"denoise", "in.ply", "one.ply", "--threads", "1"}).exit_code, 0);
@@ -146,48 +130,6 @@ TEST_F(CliTest, DenoiseReproducesThePublishedProgram) {
     EXPECT_LT(norm(written.points[i] - expected.points[i]), 1e-12) << i;
     EXPECT_LT(norm(written.normals[i] - expected.normals[i]), 1e-12) << i;
   }
-}
-
-TEST_F(CliTest, DenoiseLeavesTheColumnsOfTextAlone) {
-  write_cloud("in.xyz", part(500));
-  ASSERT_EQ(run_program({"denoise", "in.xyz", "out.xyz"}).exit_code, 0);
-  const PointCloud plain = read_cloud("out.xyz");
-  EXPECT_THAT(plain.normals, IsEmpty());
-  EXPECT_THAT(plain.attributes, IsEmpty());
-  EXPECT_EQ(lines_of(read_text("out.xyz")).size(), 500U);
-
-  ASSERT_EQ(run_program({"denoise", "in.xyz", "more.xyz", "--add", "label,normals"}).exit_code, 0);
-  const PointCloud more = read_cloud("more.xyz");
-  EXPECT_THAT(attribute_names(more), ElementsAre("deburr_label"));
-  EXPECT_EQ(more.normals.size(), 500U);
-}
-
-TEST_F(CliTest, DenoiseAddsOnlyWhatIsAskedFor) {
-  write_cloud("in.ply", part(300));
-  ASSERT_EQ(run_program({"denoise", "in.ply", "out.ply", "--add", "none"}).exit_code, 0);
-  EXPECT_THAT(read_cloud("out.ply").normals, IsEmpty());
-  EXPECT_THAT(read_cloud("out.ply").attributes, IsEmpty());
-  ASSERT_EQ(run_program({"denoise", "in.ply", "out.ply", "--add", "displacement"}).exit_code, 0);
-  EXPECT_THAT(read_cloud("out.ply").normals, IsEmpty());
-  EXPECT_THAT(attribute_names(read_cloud("out.ply")), ElementsAre("deburr_displacement"));
-}
-
-TEST_F(CliTest, DenoiseWritesNewNormalsWhereThereWereSome) {
-  PointCloud cloud = part(300);
-  cloud.normals.assign(cloud.size(), Vec3{0, 0, 1});
-  write_cloud("in.ply", cloud);
-  ASSERT_EQ(run_program({"denoise", "in.ply", "out.ply", "--add", "none"}).exit_code, 0);
-  EXPECT_TRUE(read_cloud("out.ply").normals == denoise(cloud).cloud.normals);
-}
-
-TEST_F(CliTest, DenoiseTakesItsOwnOutputInPlace) {
-  write_cloud("scan.ply", part(400));
-  for (int run = 0; run < 2; ++run) {
-    ASSERT_EQ(run_program({"denoise", "scan.ply", "scan.ply"}).exit_code, 0);
-    EXPECT_THAT(attribute_names(read_cloud("scan.ply")),
-                ElementsAre("deburr_label", "deburr_displacement", "deburr_outlier"));
-  }
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator("."), {}), 1);
 }
 
 TEST_F(CliTest, DenoiseTellsItsSummaryAsJson) {
@@ -250,45 +192,6 @@ TEST_F(CliTest, CloudsWithoutAFinitePointAreWrittenUnchanged) {
     EXPECT_THAT(outcome.err, HasSubstr("warning: " + name + ": no point is finite"));
     EXPECT_EQ(read_text("out.ply"), read_text(name));
   }
-}
-
-TEST_F(CliTest, InfoTellsWhatTheReportOfDenoiseTells) {
-  PointCloud cloud = part(1000);
-  cloud.points[3] = cloud.points[2];
-  cloud.points[7].x = std::nan("");
-  cloud.attributes.push_back({"red", std::vector<std::uint8_t>(1000), {}});
-  cloud.layout.comments = {"made for a test"};
-  write_cloud("in.ply", cloud);
-  const Outcome outcome = run_program({"info", "in.ply", "--json"});
-  ASSERT_EQ(outcome.exit_code, 0);
-  const json info = json::parse(outcome.out);
-  const Report expected = denoise(cloud).report;
-  EXPECT_EQ(info["points"], 1000);
-  EXPECT_EQ(info["non_finite"], 1);
-  EXPECT_EQ(info["duplicates"], 1);
-  EXPECT_EQ(info["comments"], 1);
-  EXPECT_NEAR(info["spacing"], expected.spacing, 1e-9 * expected.spacing);
-  EXPECT_NEAR(info["noise"], expected.noise, 1e-6 * expected.noise);
-  EXPECT_DOUBLE_EQ(info["noise_in_spacings"].get<double>(),
-                   info["noise"].get<double>() / info["spacing"].get<double>());
-  EXPECT_EQ(info["fields"].back(), json({{"name", "red"}, {"type", "uint8"}, {"list", false}}));
-  double lowest = HUGE_VAL;
-  for (const Vec3& p : cloud.points) lowest = is_finite(p) ? std::min(lowest, p.x) : lowest;
-  EXPECT_EQ(info["bounding_box"]["min"][0], lowest);
-  EXPECT_THAT(run_program({"info", "in.ply"}).out, HasSubstr("red uint8"));
-}
-
-TEST_F(CliTest, InfoOfNothingHasNoBox) {
-  write_cloud("empty.ply", {});
-  const Outcome outcome = run_program({"info", "empty.ply", "--json"});
-  ASSERT_EQ(outcome.exit_code, 0);
-  EXPECT_TRUE(json::parse(outcome.out)["bounding_box"].is_null());
-}
-
-TEST_F(CliTest, InfoNamesOtherElements) {
-  write_mesh("mesh.ply", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
-  const Outcome outcome = run_program({"info", "mesh.ply"});
-  EXPECT_THAT(outcome.out, HasSubstr("face: 1 of (vertex_indices list of"));
 }
 
 TEST_F(CliTest, SynthAndCompareAgreeWithTheLibrary) {

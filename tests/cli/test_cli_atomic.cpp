@@ -88,6 +88,53 @@ TEST_F(CliAtomic, NoRoomForTheFile) {
   }
 }
 
+/// A run of which the second output is larger than the first.
+std::vector<std::string> two_files(const std::string& first, const std::string& second) {
+  return {"synth", "part", first, "--points", "9", "--truth", second, "--quiet"};
+}
+
+TEST_F(CliAtomic, NoOutputChangesIfAnotherOneCannotBeWritten) {
+  for (const std::string out : {"out.ply", "new.ply"}) {
+    write_text("out.ply", "precious");
+    write_text("truth.ply", "precious too");
+    const Outcome outcome = run_with_limit(two_files(out, "truth.ply"), 20000);
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_EQ(outcome.err, "deburr: truth.ply: cannot write: File too large\n");
+    EXPECT_EQ(read_text("out.ply"), "precious");
+    EXPECT_EQ(read_text("truth.ply"), "precious too");
+    EXPECT_EQ(files_in("."), 2);
+  }
+  EXPECT_EQ(run_program(two_files("out.ply", "truth.ply")).exit_code, 0);
+  EXPECT_EQ(read_cloud("out.ply").size(), 9U);
+  EXPECT_GT(read_mesh("truth.ply").triangles.size(), 1000U);
+  EXPECT_EQ(files_in("."), 2);
+}
+
+TEST_F(CliAtomic, NoOutputChangesIfAStreamTakesNoMore) {
+  const int full = open("/dev/full", O_WRONLY | O_CLOEXEC);
+  if (full < 0) GTEST_SKIP() << "NOT TESTED: /dev/full, a full disk, is of Linux";
+  const int nothing = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  const PointCloud scan = synthesize_part({.points = 100}).cloud;
+  write_cloud("scan.ply", scan);
+  write_cloud("truth.ply", scan);
+  for (const std::vector<std::string>& args : std::vector<std::vector<std::string>>{
+           {"denoise", "scan.ply", "out.ply", "--report", "/dev/full"},
+           {"denoise", "scan.ply", "out.ply", "--report", "-"},
+           {"denoise", "scan.ply", "out.ply", "--json"},
+           {"denoise", "scan.ply", "-", "--report", "out.ply"},
+           {"synth", "cube", "out.ply", "--json"},
+           {"synth", "cube", "-", "--clean", "out.ply"},
+           {"compare", "scan.ply", "--truth", "truth.ply", "--distances", "out.ply"},
+           {"render", "scan.ply", "out.png", "--json"}}) {
+    write_text("out.ply", "precious");
+    EXPECT_EQ(wait_for_exit(start_program(args, full, nothing)), 3) << args[0];
+    EXPECT_EQ(read_text("out.ply"), "precious") << args[0];
+    EXPECT_EQ(files_in("."), 3) << args[0];
+  }
+  close(nothing);
+  close(full);
+}
+
 TEST_F(CliAtomic, OutputsEqualToTheInputAndLinks) {
   for (const std::string& format : formats) {
     const std::string name = "scan." + format;
@@ -128,11 +175,19 @@ TEST_F(CliAtomic, AFullAndAReadOnlyDisk) {
   const SmallDisk disk("disk");
   if (!disk.is_there()) GTEST_SKIP() << "NOT TESTED: no disk may be mounted here, which takes root";
   write_text("disk/out.ply", "precious");
+  write_cloud("scan.ply", synthesize_part({.points = 100}).cloud);
   const Outcome full = run_program(big_run("disk/out.ply"));
   EXPECT_EQ(full.exit_code, 3);
   EXPECT_THAT(full.err, HasSubstr("disk/out.ply: cannot write: No space left on device"));
   EXPECT_EQ(read_text("disk/out.ply"), "precious");
   EXPECT_EQ(files_in("disk"), 1);
+  write_text("disk/filler", std::string(1 << 18, 'x'));
+  write_text("out.ply", "precious too");
+  const Outcome second = run_program({"denoise", "scan.ply", "out.ply", "--report", "disk/report"});
+  EXPECT_EQ(second.exit_code, 3);
+  EXPECT_THAT(second.err, HasSubstr("disk/report: cannot write: No space left on device"));
+  EXPECT_EQ(read_text("out.ply"), "precious too");
+  fs::remove("disk/filler");
   ASSERT_TRUE(disk.make_read_only());
   const Outcome locked = run_program({"synth", "cube", "disk/out.ply", "--points", "10"});
   EXPECT_EQ(locked.exit_code, 3);

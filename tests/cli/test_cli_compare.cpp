@@ -5,7 +5,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <sstream>
 
 #include "deburr/clean_metrics.hpp"
 #include "deburr/cloud_metrics.hpp"
@@ -23,7 +22,6 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::Not;
 
 template <typename Value>
 void add_field(PointCloud& cloud, const std::string& name, std::vector<Value> values) {
@@ -240,38 +238,6 @@ TEST_F(CliCompare, WarnsOfWhatWasAskedForAndIsNotThere) {
   EXPECT_THAT(warning({"--clean", "bare.ply"}), HasSubstr("warning: --clean has no normals"));
   EXPECT_THAT(warning({"--clean", "bare.ply", "--quiet"}), IsEmpty());
   EXPECT_EQ(figures({"truth.ply", "--clean", "short.ply"})["warnings"].size(), 1U);
-}
-
-// Scripts read these lines by their first word and third field.
-TEST_F(CliCompare, PrintsATableThatScriptsCanRead) {
-  add_field(cloud_, "deburr_label", std::vector<std::uint8_t>(3000, 1));
-  write_cloud("cloud.ply", cloud_);
-  const std::string text =
-      run_program({"compare", "cloud.ply", "--truth", "truth.ply", "--clean", "clean.ply"}).out;
-  const DistanceError error = compare_to_surface(cloud_.points, truth_);
-  for (const auto& [name, value] :
-       {std::pair{"mean", error.mean}, {"rms", error.rms}, {"maximum", error.maximum}}) {
-    int found = 0;
-    for (const std::string& line : lines_of(text)) {
-      std::istringstream words(line);
-      std::string first;
-      double absolute = 0;
-      double relative = 0;
-      if (!(words >> first) || first != name) continue;
-      ++found;
-      ASSERT_TRUE(words >> absolute >> relative) << line;
-      EXPECT_NEAR(absolute, value, 1e-5 * value);
-      EXPECT_NEAR(relative, 100 * value / error.diagonal, 1e-5 * 100 * value / error.diagonal);
-    }
-    EXPECT_EQ(found, 1) << name;
-  }
-  for (const char* row :
-       {"95 percent", "coverage", "normals", "at edges", "edges", "corners", "offset"}) {
-    EXPECT_THAT(text, HasSubstr(std::string("\n") + row + " ")) << row;
-  }
-  EXPECT_THAT(text, HasSubstr("corners     precision -, recall 0.0 %"));
-  EXPECT_THAT(text, Not(HasSubstr("nan")));
-  for (const std::string& line : lines_of(text)) EXPECT_LE(line.size(), 79U) << line;
 }
 
 }  // namespace

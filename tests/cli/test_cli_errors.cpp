@@ -53,11 +53,7 @@ TEST_F(CliErrors, WrongUsageIsExitCode2) {
   expect_failure({"synth", "cow", "out.ply"}, 2, "cow");
   expect_failure({"synth", "part", "out.ply", "--points", "-5"}, 2,
                  "--points: must be >= 0, got -5");
-  expect_failure({"synth", "part", "out.ply", "--truth", "out.ply"}, 2, "would overwrite");
   expect_failure({"synth", "part", "out.ply", "--truth", "truth.xyz"}, 2, "--truth truth.xyz");
-  expect_failure({"denoise", "scan.ply", "out.ply", "--report", "scan.ply"}, 2, "would overwrite");
-  std::filesystem::create_hard_link("scan.ply", "same.json");
-  expect_failure({"denoise", "scan.ply", "out.ply", "--report", "same.json"}, 2, "would overwrite");
   expect_failure({"denoise", "scan.ply", "out.ply", "--threads", "100000000"}, 2, "[0, 256]");
   std::filesystem::create_symlink("missing/out.ply", "dangling.ply");
   expect_failure({"denoise", "scan.ply", "dangling.ply"}, 3, "dangling.ply");
@@ -117,6 +113,24 @@ TEST_F(CliErrors, FilesAreExitCode3) {
                  "missing.ply: ");
   std::filesystem::create_directory("folder.ply");
   expect_failure({"denoise", "scan.ply", "folder.ply"}, 3, "folder.ply: is a folder");
+}
+
+// One line it stays, and terminals are not steered by a name.
+TEST_F(CliErrors, ControlCharactersOfNamesAreWrittenAsText) {
+  for (const auto& [name, shown] :
+       {std::pair{"a\nb.ply", "a\\nb.ply"},
+        {"a\tb\r.ply", "a\\tb\\x0d.ply"},
+        {"\x1b[31m\x7f.ply", "\\x1b[31m\\x7f.ply"},
+        {"a\xc2\x9b.ply", "a\\xc2\\x9b.ply"},
+        {"gr\xc3\xbc\xc3\x9f \xc2.ply", "gr\xc3\xbc\xc3\x9f \xc2.ply"}}) {
+    expect_failure({"info", name}, 3, std::string(shown) + ": No such file");
+    expect_failure({"denoise", "scan.ply", std::string("no/") + name}, 3,
+                   std::string("no/") + shown + ": cannot write");
+    expect_failure({"denoise", "scan.ply", "o.ply", "--report", "o.ply", name}, 2, shown);
+    const Outcome outcome = run_program({"denoise", "scan.ply", name, "--add", "none"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.err, testing::EndsWith(std::string("written to ") + shown + "\n"));
+  }
 }
 
 TEST_F(CliErrors, DataWithoutAnAnswerAreExitCode4) {

@@ -51,7 +51,7 @@ TEST_F(CliFormats, StreamsArePlyUnlessToldOtherwise) {
   EXPECT_THAT(synth.out, testing::StartsWith("ply\n"));
   const Outcome both = run_program({"denoise", "-", "-", "--json"}, "scan.ply");
   EXPECT_EQ(both.exit_code, 2);
-  EXPECT_THAT(both.err, HasSubstr("standard output"));
+  EXPECT_THAT(both.err, HasSubstr("OUT - and --json would be written to the same place"));
 }
 
 TEST_F(CliFormats, FormatsAreTakenByName) {

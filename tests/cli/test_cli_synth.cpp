@@ -148,10 +148,12 @@ TEST_F(CliSynth, RefusesWhatItCannotUnderstand) {
 TEST_F(CliSynth, OverwritesNothingThatItNeeds) {
   write_mesh("mesh.ply", shape_mesh(Shape::Cube));
   const std::string before = read_text("mesh.ply");
-  expect_usage_error({"mesh.ply", "mesh.ply"}, "OUT mesh.ply would overwrite mesh.ply");
+  expect_usage_error({"mesh.ply", "mesh.ply"},
+                     "OUT mesh.ply would overwrite SHAPE_OR_MESH mesh.ply");
   expect_usage_error({"mesh.ply", "out.ply", "--truth", "mesh.ply"}, "--truth mesh.ply would");
   expect_usage_error({"mesh.ply", "out.ply", "--clean", "mesh.ply"}, "--clean mesh.ply would");
-  expect_usage_error({"cube", "out.ply", "--clean", "out.ply"}, "--clean out.ply would");
+  expect_usage_error({"cube", "out.ply", "--clean", "out.ply"},
+                     "OUT out.ply and --clean out.ply would be");
   expect_usage_error({"cube", "out.ply", "--clean", "t.ply", "--truth", "t.ply"}, "--clean t.ply");
   EXPECT_EQ(read_text("mesh.ply"), before);
 }

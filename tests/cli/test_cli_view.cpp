@@ -181,7 +181,8 @@ TEST_F(CliView, RefusesWhatCannotBe) {
     GTEST_SKIP() << "NOT TESTED: this build has no page; Node.js and -DDEBURR_VIEWER=ON make one";
   }
   expect_error({"view", "noisy.ply"}, 2, "--output");
-  expect_error({"view", "noisy.ply", "-o", "noisy.ply"}, 2, "would overwrite noisy.ply");
+  expect_error({"view", "noisy.ply", "-o", "noisy.ply"}, 2,
+               "--output noisy.ply would overwrite A noisy.ply");
   expect_error({"view", "noisy.ply", "-o", "x.html", "--max-size", "1"}, 2,
                "--max-size must be in");
   expect_error({"view", "noisy.ply", "-o", "x.html", "--max-size", "nan"}, 2, "--max-size");

@@ -26,7 +26,9 @@ namespace {
 /// Writes into memory.
 std::string written(const PointCloud& cloud, const char* format) {
   static const int file = memfd_create("fuzz", MFD_CLOEXEC);
-  if (file < 0 || ftruncate(file, 0) != 0) fail("no file in memory");
+  if (file < 0 || ftruncate(file, 0) != 0 || lseek(file, 0, SEEK_SET) != 0) {
+    fail("no file in memory");
+  }
   (void)write_cloud("/dev/fd/" + std::to_string(file), cloud, {}, format);
   std::string data(static_cast<std::size_t>(lseek(file, 0, SEEK_END)), '\0');
   if (pread(file, data.data(), data.size(), 0) != static_cast<ssize_t>(data.size())) {
