@@ -48,6 +48,7 @@ from .stages import (
     refit_normals,
 )
 from .synthetic import SyntheticScan, shape_mesh, synth
+from .viewing import Page, view
 
 __all__ = [
     "Cancelled",
@@ -65,6 +66,7 @@ __all__ = [
     "LocalNoise",
     "Neighborhoods",
     "NoiseEstimate",
+    "Page",
     "PointCloud",
     "Report",
     "Result",
@@ -95,6 +97,7 @@ __all__ = [
     "sweep_in_place",
     "synth",
     "update_positions",
+    "view",
     "write",
     "write_mesh",
 ]

@@ -21,7 +21,7 @@ ProgressFunction = Callable[[str, float], object]
 _DEFAULTS: dict[str, Any] = _core.denoise_defaults()
 #: The options that only one method has.
 _OWN = {
-    "auto": ("strength", "noise", "max_move", "outliers"),
+    "auto": ("strength", "max_move", "noise", "outliers"),
     "yadav2018": (
         *("rounds", "k", "rho", "tau", "damping", "alpha", "epsilon", "radius"),
         *("neighborhoods", "update"),
@@ -149,7 +149,7 @@ def denoise(
         labels=found["labels"],
         outliers=found["outliers"].view(np.bool_),
         displacement=found["displacement"],
-        report=_report(found["report"]),
+        report=_report(found["report"], options),
         kept=found["kept"],
         _given=given,
     )
@@ -162,7 +162,8 @@ def _refuse_foreign(options: dict[str, Any]) -> None:
             raise ValueError(f"{name} belongs to method '{other}'")
 
 
-def _report(parts: dict[str, Any]) -> Report:
+def _report(parts: dict[str, Any], options: dict[str, Any]) -> Report:
+    used = {name: options[name] for name in ("method", "normals", *_OWN[options["method"]])}
     rounds = tuple(RoundReport(*entry) for entry in parts.pop("rounds"))
     stages = tuple(StageTime(*entry) for entry in parts.pop("stages"))
-    return Report(**parts, rounds=rounds, stages=stages)
+    return Report(options=used, **parts, rounds=rounds, stages=stages)

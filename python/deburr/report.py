@@ -40,6 +40,8 @@ class StageTime(NamedTuple):
 class Report:
     """What denoise() found and did; lengths in the unit of the input."""
 
+    #: The options of the method as they were given or are by default; 0 stands for "find it".
+    options: dict[str, str | int | float]
     #: Points that came in.
     points: int
     #: Points with a NaN or infinite coordinate; given back as they are.

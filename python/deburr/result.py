@@ -5,9 +5,11 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Collection
+import os
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,6 +19,9 @@ from ._arrays import Bytes, Floats, Mask, Points, vectors
 from ._foreign import Given
 from .cloud import PointCloud
 from .report import Report
+
+if TYPE_CHECKING:
+    from .viewing import Page
 
 #: What to_cloud() can add for every point.
 ADDABLE = ("normals", "label", "displacement", "outlier")
@@ -163,6 +168,47 @@ class Result:
             added: normals, deburr_label, deburr_displacement, deburr_outlier.
         """
         return self.points if self._given is None else self._given.give_back(self)
+
+    def view(self, *, truth: Any = None, height: int = 640, max_size: float = 12.0) -> Page:
+        """Show the points before and after, in Jupyter or as a file: as deburr.view() does."""
+        from .viewing import view
+
+        return view(self, truth=truth, height=height, max_size=max_size)
+
+    def save_report(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        names: Sequence[str] = ("before", "after"),
+        truth: Any = None,
+        max_size: float = 12.0,
+    ) -> None:
+        """Write what `deburr denoise --report` writes, whole or not at all.
+
+        Parameters
+        ----------
+        path : str or path
+            Ending in .html or .htm, a page that shows the points before and after with the report;
+            with any other name the report as JSON. "-" is the standard output.
+        names : (str, str)
+            What the points are called before and after, such as their files.
+        truth, max_size
+            Of the page, as of view().
+
+        Raises
+        ------
+        DeburrIOError
+            If the file cannot be written.
+        ValueError, RuntimeError
+            As view().
+        """
+        from . import _summary
+        from .viewing import view
+
+        if Path(path).suffix.lower() in (".html", ".htm"):
+            view(self, names=names, truth=truth, max_size=max_size).save(path)
+            return
+        _summary.write(path, self, names)
 
     def __getstate__(self) -> dict[str, Any]:
         given = self._given.without_original() if self._given is not None else None

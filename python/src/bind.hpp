@@ -15,5 +15,6 @@ void bind_neighborhoods(nanobind::module_& module);
 void bind_noise(nanobind::module_& module);
 void bind_stages(nanobind::module_& module);
 void bind_synth(nanobind::module_& module);
+void bind_view(nanobind::module_& module);
 
 }  // namespace deburr::python

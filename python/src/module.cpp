@@ -51,4 +51,5 @@ NB_MODULE(_core, m) {
   bind_metrics(m);
   bind_synth(m);
   bind_files(m);
+  bind_view(m);
 }

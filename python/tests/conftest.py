@@ -12,6 +12,7 @@ import pytest
 import deburr
 
 _ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(Path(__file__).parent))  # for stand_ins
 
 
 @pytest.fixture(scope="session")

@@ -53,6 +53,14 @@ def test_sweeps_take_what_their_parts_take():
     assert defaults_of(deburr.sweep_in_place) == {**both, "order": ()}
 
 
+def test_view():
+    stored = _core.page_defaults()["max_bytes"]
+    for function in (deburr.view, deburr.Result.view, deburr.Result.save_report):
+        assert defaults_of(function)["max_size"] * 1e6 == stored
+    height = defaults_of(deburr.view)["height"]
+    assert defaults_of(deburr.Result.view)["height"] == height
+
+
 def test_outliers_and_coverage():
     shown = defaults_of(deburr.find_outliers)
     assert {"tolerance": shown["tolerance"]} == _core.find_outliers_defaults()
