@@ -4,12 +4,13 @@
 
 from __future__ import annotations
 
+import copy
 import struct
 import tempfile
 from pathlib import Path
 from typing import Any
 
-from . import _core, _laz_codec
+from . import _copc, _core, _las_modern, _laz_codec
 from ._atomic import whole_file
 from ._errors import DeburrIOError
 from .cloud import PointCloud
@@ -45,16 +46,16 @@ def read(path: Path) -> PointCloud:
 
 
 def write(path: Path, cloud: PointCloud) -> list[str]:
-    """Write a LAZ file, whole or not at all; returns what LAS could not hold."""
-    if path.name.lower().endswith(".copc.laz"):
-        raise ValueError(f"COPC is read but not written, call it .laz: {path}")
+    """Write a LAZ or COPC file, whole or not at all; returns what LAS could not hold."""
     lazrs = _import_lazrs(path)
+    is_copc = path.name.lower().endswith(".copc.laz")
     with tempfile.TemporaryDirectory(prefix="deburr-") as folder:
         plain = Path(folder, "cloud.las")
-        losses = _write_plain(plain, cloud)
+        losses = _write_modern(plain, cloud) if is_copc else _write_plain(plain, cloud)
+        pack = _copc.pack if is_copc else _laz_codec.pack
         try:
             with whole_file(path) as part, plain.open("rb") as file, part.open("x+b") as packed:
-                _laz_codec.pack(file, packed)
+                pack(file, packed)
         except lazrs.LazrsError as error:
             raise DeburrIOError(f"{path}: {error}") from error
     return losses
@@ -64,8 +65,19 @@ def from_laspy(las: Any) -> PointCloud:
     """A cloud of a laspy.LasData, with every dimension and record."""
     with tempfile.TemporaryDirectory(prefix="deburr-") as folder:
         plain = Path(folder, "cloud.las")
-        las.write(plain, do_compress=False)
+        _without_octree(las).write(plain, do_compress=False)
         return _read_plain(plain)
+
+
+def _without_octree(las: Any) -> Any:
+    """The same without the records of COPC, which laspy reads but does not write."""
+    header = las.header
+    if not any(v.user_id == "copc" for v in [*header.vlrs, *(header.evlrs or [])]):
+        return las
+    header = copy.deepcopy(header)
+    for some in (header.vlrs, header.evlrs or []):
+        some[:] = [vlr for vlr in some if vlr.user_id != "copc"]
+    return type(las)(header, las.points)
 
 
 def of_result(result: Result) -> Any:
@@ -93,6 +105,18 @@ def _write_plain(path: Path, cloud: PointCloud) -> list[str]:
     from .files import to_core
 
     return list(_core.write(path, to_core(cloud), "las"))
+
+
+def _write_modern(path: Path, cloud: PointCloud) -> list[str]:
+    """LAS of a kind that can become COPC."""
+    losses = _write_plain(path, cloud)
+    with path.open("rb") as file:
+        head = _laz_codec.Head.read(file)
+    if not _las_modern.is_modern(head):
+        cloud, more = _las_modern.modernise(cloud, head)
+        more += _write_plain(path, cloud)
+        losses += [loss for loss in more if loss not in losses]
+    return losses
 
 
 def _is_copc(block: str) -> bool:

@@ -133,7 +133,7 @@ def pack(plain: BinaryIO, packed: BinaryIO) -> None:
 
     head = Head.read(plain)
     # What a point has beyond its format are extra bytes, which lazrs has to know.
-    extra = head.point_size - _format_size(head.point_format)
+    extra = head.point_size - format_size(head.point_format)
     scheme = lazrs.LazVlr.new_for_compression(head.point_format, extra)
     head.add_laszip(scheme.record_data())
     head.set_packed(True)
@@ -153,7 +153,7 @@ def pack(plain: BinaryIO, packed: BinaryIO) -> None:
     packed.write(head.to_bytes())
 
 
-def _format_size(point_format: int) -> int:
+def format_size(point_format: int) -> int:
     sizes = (20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67)
     if point_format >= len(sizes):
         raise ValueError(f"point format {point_format} is none of LAS")
