@@ -19,6 +19,7 @@ from ._errors import Cancelled, DataError, DeburrIOError
 from .cloud import PointCloud
 from .comparing import Comparison, compare
 from .denoising import denoise
+from .features import FeatureField, classify_features
 from .files import FormatWarning, format_names, read, read_mesh, write, write_mesh
 from .layout import Element, Field, FileLayout, HeaderBlock, Lists
 from .mesh import TriangleMesh
@@ -30,13 +31,7 @@ from .noise import (
     find_outliers,
     measure_noise,
 )
-from .positions import (
-    FeatureField,
-    classify_features,
-    sweep_at_once,
-    sweep_in_place,
-    update_positions,
-)
+from .positions import update_positions
 from .report import Feature, Report, RoundReport, StageTime
 from .result import Result
 from .stages import (
@@ -47,6 +42,7 @@ from .stages import (
     orient_normals,
     refit_normals,
 )
+from .sweeps import sweep_at_once, sweep_in_place
 from .synthetic import SyntheticScan, shape_mesh, synth
 from .viewing import Page, view
 

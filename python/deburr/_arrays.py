@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import operator
+import os
 from typing import Any, SupportsFloat, SupportsIndex
 
 import numpy as np
@@ -18,13 +19,17 @@ Mask = NDArray[np.bool_]
 
 def any_vectors(name: str, value: ArrayLike) -> Points:
     """An (N, 3) array of float32 or float64; the same memory wherever the library can read it."""
+    if isinstance(value, (str, bytes, os.PathLike)):
+        raise TypeError(f"{name} must be an array, got {value!r}: deburr.read() reads files")
     array: NDArray[Any] = np.asarray(value)
     if array.dtype.kind not in "fiub":
-        raise TypeError(f"{name} must hold numbers, got an array of {array.dtype}")
+        given = f"{type(value).__name__}" if array.ndim == 0 else f"an array of {array.dtype}"
+        raise TypeError(f"{name} must hold numbers, got {given}")
     if array.size == 0 and array.ndim <= 2:
         array = array.reshape(0, 3)
     if array.ndim != 2 or array.shape[1] != 3:
-        raise ValueError(f"{name} must have shape (N, 3), got {array.shape}")
+        hint = ", is it transposed?" if array.ndim == 2 and array.shape[0] == 3 else ""
+        raise ValueError(f"{name} must have shape (N, 3), got {array.shape}{hint}")
     readable = (
         # Neither holds for arrays of the other byte order, and for fields of packed records.
         array.dtype in (np.float32, np.float64) and array.flags.aligned

@@ -46,6 +46,10 @@ def take_in(given: Any) -> Given:
     """Finds out what was given."""
     if isinstance(given, PointCloud):
         return Given(given.points, given.normals, given)
+    if _has(given, "cloud", "truth", "clean"):  # a SyntheticScan
+        return take_in(given.cloud)
+    if _has(given, "to_cloud", "report"):  # a Result
+        return take_in(given.to_cloud())
     if _has(given, "point", "clone") and "positions" in given.point:
         return _open3d_tensor(given)
     if _has(given, "points", "has_normals", "has_colors"):

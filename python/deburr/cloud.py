@@ -75,6 +75,8 @@ class PointCloud:
         return np.array(self.points, dtype=dtype, copy=copy)
 
     def __getitem__(self, name: str) -> FieldValues:
+        if not isinstance(name, str):
+            raise TypeError(f"a cloud has fields by name, got {name!r}: take() chooses points")
         if name in self.fields:
             return self.fields[name]
         if name in _COORDINATES:

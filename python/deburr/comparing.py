@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _foreign, _html, metrics
-from ._arrays import vectors
+from . import _html, metrics
+from ._clouds import cloud_of
 from .cloud import PointCloud
 from .figures import DistanceError, FeatureScore, NormalError, OffsetError, OutlierScore
 from .mesh import TriangleMesh
@@ -90,7 +90,7 @@ def compare(
     ValueError
         If `clean` has another number of points, or for a mesh without triangles.
     """
-    given = cloud.to_cloud() if isinstance(cloud, Result) else _as_cloud(cloud)
+    given = cloud_of(cloud)
     if isinstance(truth, SyntheticScan):
         if clean is None and len(truth.clean) == len(given):
             fields = {"outlier": truth.outliers.view(np.uint8)}
@@ -99,18 +99,10 @@ def compare(
     if isinstance(truth, TriangleMesh):
         figures = _to_surface(given, truth, threads)
     else:
-        figures = _to_cloud(given, _as_cloud(truth), threads)
+        figures = _to_cloud(given, cloud_of(truth), threads)
     if clean is not None:
         figures.update(_to_clean(given, clean, figures.get("spacing")))
     return Comparison(points=len(given), **figures)
-
-
-def _as_cloud(thing: Any) -> PointCloud:
-    given = _foreign.take_in(thing)
-    if given.cloud is not None:
-        return given.cloud
-    normals = None if given.normals is None else vectors("normals", given.normals)
-    return PointCloud(vectors("points", given.points), normals)
 
 
 def _numbers(cloud: PointCloud, name: str) -> NDArray[Any] | None:

@@ -63,8 +63,9 @@ def denoise(
     ----------
     points : array (N, 3), or an object that holds points
         Coordinates in any unit, float32 or float64 of any strides, read-only too; other numbers
-        become float64. Also a PointCloud, an Open3D cloud (legacy or tensor), a laspy.LasData, a
-        PyVista mesh, a structured array or a pandas.DataFrame with x, y and z. Never changed.
+        become float64. Also a PointCloud, a Result, an Open3D cloud (legacy or tensor), a
+        laspy.LasData, a PyVista mesh, a structured array or a pandas.DataFrame with x, y and z.
+        Never changed.
     normals : array (N, 3), "auto", "keep" or "estimate", optional
         First normals of any length; those that are zero or not finite are estimated. "auto" (or
         None) keeps those that the points came with and estimates where there are none; "keep"

@@ -13,6 +13,7 @@ import numpy as np
 
 from . import _bridge, _core
 from ._arrays import vectors
+from ._clouds import cloud_of
 from .cloud import PointCloud
 from .mesh import TriangleMesh
 from .result import Result
@@ -74,7 +75,9 @@ def read(path: PathLike, *, format: str | None = None) -> PointCloud:
     return from_core(parts)
 
 
-def write(path: PathLike, cloud: PointCloud | Result, *, format: str | None = None) -> list[str]:
+def write(
+    path: PathLike, cloud: PointCloud | Result | Any, *, format: str | None = None
+) -> list[str]:
     """Write a point cloud, whole or not at all.
 
     Within a format, encoding, header and comments are those of `cloud.layout`. Coordinates of PLY,
@@ -83,9 +86,10 @@ def write(path: PathLike, cloud: PointCloud | Result, *, format: str | None = No
     Parameters
     ----------
     path : str or path
-        The extension tells the format: one of format_names(), .laz (`pip install deburr[las]`) or
-        .e57 (`pip install deburr[e57]`). "-" is the standard output, as PLY.
-    cloud : PointCloud or Result
+        The extension tells the format: one of format_names(), .laz or .copc.laz (`pip install
+        deburr[las]`), or .e57 (`pip install deburr[e57]`). "-" is the standard output, as PLY.
+        COPC has its points in the order of an octree.
+    cloud : PointCloud, Result, array (N, 3), or whatever else denoise() takes
         Of a Result, what came in with normals, label, displacement and outlier as fields, as the
         program `deburr denoise` writes them: LAS has class 7 for outliers, and formats without
         named fields get none of these.
@@ -124,6 +128,9 @@ def write(path: PathLike, cloud: PointCloud | Result, *, format: str | None = No
         losses = _e57.write(target, fit_to(cloud, "e57", True))
     else:
         known: Any = _core.output_format(target, format or "") or ("", False)
+        if not known[0] and format is None:
+            names = " ".join(f".{name}" for name in [*format_names(), "laz", "copc.laz", "e57"])
+            raise ValueError(f"output must end in one of {names}, got '{path}'")
         losses = _core.write(target, to_core(fit_to(cloud, *known)), format or "")
     for loss in losses:
         warnings.warn(f"{path}: {loss}", FormatWarning, stacklevel=2)
@@ -173,10 +180,10 @@ def to_core(cloud: PointCloud) -> dict[str, Any]:
     }
 
 
-def fit_to(cloud: PointCloud | Result, format: str, takes_any_field: bool) -> PointCloud:
+def fit_to(cloud: Any, format: str, takes_any_field: bool) -> PointCloud:
     """A cloud with what the program would add for a format."""
-    if isinstance(cloud, PointCloud):
-        return cloud
+    if not isinstance(cloud, Result):
+        return cloud_of(cloud)
     if not takes_any_field:
         return cloud.to_cloud(add=())
     fitted = cloud.to_cloud()

@@ -47,3 +47,10 @@ class TriangleMesh:
 
     def __repr__(self) -> str:
         return f"TriangleMesh({len(self.vertices)} vertices, {len(self.triangles)} triangles)"
+
+
+def arrays_of(name: str, surface: object) -> tuple[Floats, NDArray[np.uint32]]:
+    """Vertices and triangles of what has to be a mesh."""
+    if not isinstance(surface, TriangleMesh):
+        raise TypeError(f"{name} must be a TriangleMesh, got {type(surface).__name__}")
+    return surface.vertices, surface.triangles

@@ -19,7 +19,7 @@ from .figures import (
     OutlierScore,
     SharpFeatures,
 )
-from .mesh import TriangleMesh
+from .mesh import TriangleMesh, arrays_of
 
 
 def distance_to_surface(points: ArrayLike, surface: TriangleMesh, *, threads: int = 0) -> Floats:
@@ -36,7 +36,7 @@ def distance_to_surface(points: ArrayLike, surface: TriangleMesh, *, threads: in
         For a mesh without triangles or with a corner that is not finite.
     """
     return _core.distance_to_surface(
-        vectors("points", points), surface.vertices, surface.triangles, whole("threads", threads)
+        vectors("points", points), *arrays_of("surface", surface), whole("threads", threads)
     )
 
 
@@ -60,7 +60,7 @@ def compare_to_surface(
     """Summarise distance_to_surface() over all finite points."""
     return DistanceError(
         *_core.compare_to_surface(
-            vectors("points", points), surface.vertices, surface.triangles, threads
+            vectors("points", points), *arrays_of("surface", surface), whole("threads", threads)
         )
     )
 
@@ -72,7 +72,7 @@ def compare_to_cloud(points: ArrayLike, truth: ArrayLike, *, threads: int = 0) -
     only clouds that were measured against the same truth.
     """
     to_truth, coverage, chamfer = _core.compare_to_cloud(
-        vectors("points", points), vectors("truth", truth), threads
+        vectors("points", points), vectors("truth", truth), whole("threads", threads)
     )
     return CloudError(DistanceError(*to_truth), DistanceError(*coverage), chamfer)
 
@@ -99,18 +99,17 @@ def surface_coverage(
     return DistanceError(
         *_core.surface_coverage(
             vectors("points", points),
-            surface.vertices,
-            surface.triangles,
+            *arrays_of("surface", surface),
             whole("samples", samples),
             whole("seed", seed),
-            threads,
+            whole("threads", threads),
         )
     )
 
 
 def mean_spacing(surface: TriangleMesh, count: int) -> float:
     """Mean spacing of so many points on a surface: sqrt(area / count), 0 for none."""
-    return _core.mean_spacing(surface.vertices, surface.triangles, whole("count", count))
+    return _core.mean_spacing(*arrays_of("surface", surface), whole("count", count))
 
 
 def normal_error(
@@ -133,16 +132,20 @@ def normal_error(
     at, of = vectors("points", points), vectors("normals", normals)
     if isinstance(truth, TriangleMesh):
         return NormalError(
-            *_core.normal_error_to_surface(at, of, truth.vertices, truth.triangles, threads)
+            *_core.normal_error_to_surface(
+                at, of, *arrays_of("truth", truth), whole("threads", threads)
+            )
         )
     if truth.normals is None:
         raise ValueError("truth must have normals, got none")
-    return NormalError(*_core.normal_error_to_cloud(at, of, truth.points, truth.normals, threads))
+    return NormalError(
+        *_core.normal_error_to_cloud(at, of, truth.points, truth.normals, whole("threads", threads))
+    )
 
 
 def find_sharp_features(surface: TriangleMesh) -> SharpFeatures:
     """Find the edges at which faces meet at more than 30 degrees, and the corners of these."""
-    return SharpFeatures(*_core.find_sharp_features(surface.vertices, surface.triangles))
+    return SharpFeatures(*_core.find_sharp_features(*arrays_of("surface", surface)))
 
 
 def edge_error(
@@ -157,12 +160,11 @@ def edge_error(
     return DistanceError(
         *_core.edge_error(
             vectors("points", points),
-            surface.vertices,
-            surface.triangles,
+            *arrays_of("surface", surface),
             np.ascontiguousarray(sharp.edges, dtype=np.float64),
             vectors("corners", sharp.corners),
             real("spacing", spacing),
-            threads,
+            whole("threads", threads),
         )
     )
 
@@ -194,7 +196,7 @@ def score_features(
             np.ascontiguousarray(sharp.edges, dtype=np.float64),
             vectors("corners", sharp.corners),
             real("spacing", spacing),
-            threads,
+            whole("threads", threads),
         )
     )
 

@@ -54,6 +54,11 @@ class Result:
     def __len__(self) -> int:
         return len(self.points)
 
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        if copy is None:
+            return np.asarray(self.points, dtype=dtype)
+        return np.array(self.points, dtype=dtype, copy=copy)
+
     @property
     def max_displacement(self) -> float:
         """The largest displacement."""
@@ -77,7 +82,7 @@ class Result:
 
         Parameters
         ----------
-        add : collection of str
+        add : str or collection of str
             What is added for every point: "normals", "label" (field deburr_label, uint8: see
             Feature), "displacement" (deburr_displacement, float32) and "outlier" (deburr_outlier,
             uint8). Normals that came in are replaced in any case.
@@ -88,6 +93,7 @@ class Result:
             Fields and layout are those of the input where that was a PointCloud or was read as
             one; removing points leaves out the elements of the layout, such as faces.
         """
+        add = [add] if isinstance(add, str) else [*add]
         for word in add:
             if word not in ADDABLE:
                 raise ValueError(f"add must be of {', '.join(ADDABLE)}, got '{word}'")

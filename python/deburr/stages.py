@@ -69,7 +69,9 @@ def mean_neighbor_distance(
     float
         In the unit of the points; 0 when no point has a neighbour.
     """
-    return _core.mean_neighbor_distance(vectors("points", points), neighborhoods, threads)
+    return _core.mean_neighbor_distance(
+        vectors("points", points), neighborhoods, whole("threads", threads)
+    )
 
 
 def estimate_normals(
@@ -92,7 +94,9 @@ def estimate_normals(
     ----------
     Yadav et al. 2018, initial normals.
     """
-    return _core.estimate_normals(vectors("points", points), neighborhoods, threads)
+    return _core.estimate_normals(
+        vectors("points", points), neighborhoods, whole("threads", threads)
+    )
 
 
 def refit_normals(
@@ -135,7 +139,7 @@ def refit_normals(
         real("position_scale", position_scale),
         real("normal_scale", normal_scale),
         real("blend", blend),
-        threads,
+        whole("threads", threads),
     )
 
 
@@ -160,7 +164,10 @@ def orient_normals(
     Yadav et al. 2018, initial normals; after Hoppe et al. 1992.
     """
     return _core.orient_normals(
-        vectors("points", points), vectors("normals", normals), neighborhoods, threads
+        vectors("points", points),
+        vectors("normals", normals),
+        neighborhoods,
+        whole("threads", threads),
     )
 
 
@@ -215,5 +222,5 @@ def filter_normals(
         real("damping", damping),
         real("eigen_tolerance", eigen_tolerance),
         voteless,
-        threads,
+        whole("threads", threads),
     )

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 
 from . import _core, _shown, _summary
 from ._arrays import real, whole
+from ._clouds import cloud_of
 from .cloud import PointCloud
 from .denoising import ProgressFunction
 from .mesh import TriangleMesh
@@ -142,11 +143,11 @@ def view(
     result = after if after is not None else before
     if after is None and isinstance(before, Result):
         source = _shown.before_of(before)
-        clouds = [cloud for cloud in (source, _shown.cloud_of(before)) if cloud is not None]
+        clouds = [cloud for cloud in (source, cloud_of(before)) if cloud is not None]
         if names is not None and not isinstance(names, str):
             names = names[-len(clouds) :]  # what came in may be gone
     else:
-        clouds = [_shown.cloud_of(thing) for thing in (before, after) if thing is not None]
+        clouds = [cloud_of(thing) for thing in (before, after) if thing is not None]
     called = _names(names, len(clouds))
     origin, report = None, ""
     if isinstance(result, Result) and len(clouds[0]) == result.report.points:
