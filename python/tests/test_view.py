@@ -184,7 +184,7 @@ def test_options_are_checked(scan):
         deburr.view(scan.cloud, on_progress=stop)
 
 
-def test_clouds_without_points():
+def test_clouds_of_no_points():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert deburr.view([]).shown == (0,)
