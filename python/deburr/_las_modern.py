@@ -23,6 +23,8 @@ _HEADER_SIZE = 375
 _KEPT_BITS = 0b01001
 #: Has to be set in the newer formats: no coordinate system is in GeoTIFF keys.
 _WKT_BIT = 0b10000
+#: Where a header tells of its waveforms.
+_WAVES_AT = 227
 #: One step of the newer field in degrees.
 _ANGLE_STEP = 0.006
 _WITH_COLOURS = (2, 3, 5, 7)
@@ -36,6 +38,7 @@ def is_modern(head: Head) -> bool:
         head.point_format in (6, 7, 8)
         and len(head.header) == _HEADER_SIZE
         and bool(head.header[6] & _WKT_BIT)
+        and not any(head.header[_WAVES_AT : _WAVES_AT + 8])
     )
 
 
@@ -52,14 +55,14 @@ def modernise(cloud: PointCloud, head: Head) -> tuple[PointCloud, list[str]]:
     old = head.point_format
     new = 8 if old in _WITH_INFRARED else 7 if old in _WITH_COLOURS else 6
     header = bytearray(_HEADER_SIZE)
-    kept = min(len(head.header), _HEADER_SIZE if head.header[25] >= 4 else 227)
+    kept = min(len(head.header), _HEADER_SIZE if head.header[25] >= 4 else _WAVES_AT)
     header[:kept] = head.header[:kept]
     header[25] = 4
     header[104] = new
     extra = head.point_size - format_size(old)
     struct.pack_into("<H", header, 105, format_size(new) + extra)
     struct.pack_into("<H", header, 94, _HEADER_SIZE)
-    struct.pack_into("<Q", header, 227, 0)
+    header[_WAVES_AT : _WAVES_AT + 8] = bytes(8)
     (bits,) = struct.unpack_from("<H", header, 6)
     struct.pack_into("<H", header, 6, (bits & _KEPT_BITS) | _WKT_BIT)
     records = [*head.records]
@@ -73,6 +76,8 @@ def modernise(cloud: PointCloud, head: Head) -> tuple[PointCloud, list[str]]:
                 "as it is, and not every program will find it (with pyproj, systems that have an "
                 "EPSG number are translated)"
             )
+    if len(head.header) > _HEADER_SIZE:
+        losses.append("COPC has no bytes behind its header, those of this cloud were left out")
     if old in _WITH_WAVES:
         losses.append("COPC has no waveforms, their fields became extra bytes")
     blocks = [HeaderBlock("LAS header", bytes(header))]

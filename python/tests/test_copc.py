@@ -165,6 +165,16 @@ def test_waveforms_are_named_as_lost(tmp_path, scan):
     assert np.array_equal(cloud[name][old], again[name][order])
 
 
+def test_bytes_behind_a_header_are_named_as_lost(tmp_path, scan):
+    las = make_las("1.4", 6, scan.cloud.points[:200])
+    las.header.extra_header_bytes = b"what a scanner put there"
+    las.write(tmp_path / "in.las")
+    assert struct.unpack_from("<H", (tmp_path / "in.las").read_bytes(), 94)[0] > 375
+    write(tmp_path / "out.copc.laz", deburr.read(tmp_path / "in.las"), "behind its header")
+    with CopcReader.open(tmp_path / "out.copc.laz") as reader:
+        assert len(reader.query()) == 200
+
+
 def test_results_and_clouds_from_elsewhere(tmp_path, scan, result):
     number = np.arange(len(scan.cloud), dtype=np.uint32) + 70000
     fields = {"number": number, "red": np.full(len(number), 9, np.uint16)}
