@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "arrays.hpp"
 #include "bind.hpp"
@@ -125,7 +126,7 @@ nb::dict denoise_arrays(const AnyVectorArray& points, const std::optional<AnyVec
       std::iota(indices.begin(), indices.end(), 0);
       cloud.attributes.push_back({index_name, std::move(indices), {}});
     }
-    return denoise(cloud, options, execution);
+    return denoise(std::move(cloud), options, execution);
   });
   // Asked of the library, so that the limit stands in one place.
   result.cloud.layout.fields = {
