@@ -81,6 +81,8 @@ if(viewer_template)
     COMMENT "Embedding the viewer page" VERBATIM)
 else()
   set(DEBURR_HAS_VIEWER OFF CACHE INTERNAL "whether the viewer page is embedded")
+  # Another name, or it would be newer than a template that is there later, and stay.
+  set(viewer_template_source ${CMAKE_CURRENT_BINARY_DIR}/no_viewer_template.cpp)
   set(text "")
   set(source ${viewer_template_source})
   include(${embed})
