@@ -10,13 +10,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core, _shown, _summary
-from ._arrays import real, whole
+from ._arrays import option, real, whole
 from ._clouds import cloud_of
 from .cloud import PointCloud
 from .denoising import ProgressFunction
@@ -83,6 +83,7 @@ def view(
     *,
     names: Sequence[str] | None = None,
     truth: TriangleMesh | PointCloud | SyntheticScan | ArrayLike | None = None,
+    up: Literal["z", "y", "x", "-z", "-y", "-x"] = "z",
     height: int = 640,
     max_size: float = 12.0,
     threads: int = 0,
@@ -102,6 +103,8 @@ def view(
         What the clouds are called on the page.
     truth : TriangleMesh, PointCloud, array (M, 3) or SyntheticScan, optional
         The true surface or points on it; the page then shows the distance of every point from it.
+    up : "z", "y", "x", "-z", "-y" or "-x"
+        The axis that points up at first; scans of objects often have "y", depth cameras "-y".
     height : int
         Pixels that the page takes in Jupyter, at least 100; its lower edge can be dragged.
     max_size : float, 2 to 1000
@@ -165,6 +168,7 @@ def view(
         origin,
         report,
         int(size * _MEGABYTE),
+        option("z", "up", up),
         count,
         on_progress,
     )

@@ -20,11 +20,16 @@
 #include "run.hpp"
 #include "text.hpp"
 #include "view/page.hpp"
+#include "words.hpp"
 
 namespace deburr::python {
 namespace {
 
 using namespace nb::literals;
+
+constexpr Choice<view::Up> ups[] = {{"z", view::Up::Z},       {"y", view::Up::Y},
+                                    {"x", view::Up::X},       {"-z", view::Up::MinusZ},
+                                    {"-y", view::Up::MinusY}, {"-x", view::Up::MinusX}};
 
 using Distances = ValueArray<double>;
 using Indices = ValueArray<std::uint32_t>;
@@ -53,7 +58,8 @@ class Shown {
 /// (page, points shown of each cloud, whether the movement is known, warnings)
 nb::tuple make_page(const nb::tuple& before, const std::optional<nb::tuple>& after,
                     const std::optional<Indices>& origin, const nb::str& report,
-                    std::size_t max_bytes, int threads, const nb::object& on_progress) {
+                    std::size_t max_bytes, const std::string& up, int threads,
+                    const nb::object& on_progress) {
   const std::string_view page = view::viewer_template();
   if (page.empty()) throw std::runtime_error(view::missing_viewer());
   const Shown first(before);
@@ -63,7 +69,7 @@ nb::tuple make_page(const nb::tuple& before, const std::optional<nb::tuple>& aft
   if (second) request.after = second->get();
   if (origin) request.origin = as_span(*origin);
   const view::PageText text{.report = from_text(report)};
-  const view::SceneOptions options{.max_bytes = max_bytes};
+  const view::SceneOptions options{.max_bytes = max_bytes, .up = parse_word("up", up, ups)};
   auto [scene, html] = run(threads, on_progress, [&](const Execution& execution) {
     const std::size_t room = view::room_for_points(options, page, text.report.size(), {});
     view::Scene made = view::make_scene(request, room, options, execution);
@@ -79,7 +85,7 @@ nb::tuple make_page(const nb::tuple& before, const std::optional<nb::tuple>& aft
 void bind_view(nb::module_& m) {
   m.def("has_viewer", [] { return !view::viewer_template().empty(); });
   m.def("make_page", make_page, "before"_a, "after"_a.none(), "origin"_a.none(), "report"_a,
-        "max_bytes"_a, "threads"_a, "on_progress"_a.none());
+        "max_bytes"_a, "up"_a, "threads"_a, "on_progress"_a.none());
   m.def(
       "write_whole",
       [](const std::filesystem::path& path, const nb::bytes& bytes) {
@@ -95,6 +101,7 @@ void bind_view(nb::module_& m) {
   m.def("page_defaults", [] {
     nb::dict options;
     options["max_bytes"] = view::SceneOptions{}.max_bytes;
+    options["up"] = word_for(ups, view::SceneOptions{}.up);
     return options;
   });
 }

@@ -55,6 +55,7 @@ def test_sweeps_take_what_their_parts_take():
 
 def test_view():
     stored = _core.page_defaults()["max_bytes"]
+    assert defaults_of(deburr.view)["up"] == _core.page_defaults()["up"]
     for function in (deburr.view, deburr.Result.view, deburr.Result.save_report):
         assert defaults_of(function)["max_size"] * 1e6 == stored
     height = defaults_of(deburr.view)["height"]

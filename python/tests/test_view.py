@@ -177,6 +177,10 @@ def test_options_are_checked(scan):
     with pytest.raises(ValueError, match=r"shape \(N, 3\)"):
         deburr.view(scan.cloud, np.ones((3, 2)))
 
+    with pytest.raises(ValueError, match="up must be z, y, x, -z, -y or -x, got 'w'"):
+        deburr.view(scan.cloud, up="w")
+    assert block(deburr.view(scan.cloud, up="-y").html, "scene")["up"] == "-y"
+
     def stop(stage, _):
         raise LookupError(stage)
 
