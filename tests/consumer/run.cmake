@@ -11,8 +11,7 @@ file(REMOVE_RECURSE ${work})
 if(shared)
   set(ENV{CMAKE_CXX_COMPILER_LAUNCHER} "sh;${CMAKE_CURRENT_LIST_DIR}/take_object.sh;${build}")
   step(${CMAKE_COMMAND} -S ${source} -B ${work}/shared -G Ninja -D CMAKE_CXX_COMPILER=${compiler}
-    -D BUILD_SHARED_LIBS=ON -D DEBURR_BUILD_CLI=OFF -D DEBURR_BUILD_TESTS=OFF
-    -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
+    -D BUILD_SHARED_LIBS=ON -D DEBURR_BUILD_CLI=OFF -D DEBURR_BUILD_TESTS=OFF)
   step(${CMAKE_COMMAND} --build ${work}/shared)
   set(build ${work}/shared)
 endif()
