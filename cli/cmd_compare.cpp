@@ -21,7 +21,7 @@
 namespace deburr::cli {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* compare_examples =
     "  deburr compare part.ply --truth part_truth.ply\n"
     "  deburr compare part.ply --truth part_truth.ply --json\n"
     "  deburr compare part.ply --truth part_truth.ply --distances part_error.ply";
@@ -138,7 +138,7 @@ void add_compare_command(CLI::App& program) {
   add_value(*command, "--samples", args->options.coverage.samples,
             "Places on the true mesh at which coverage is measured; 0 for none");
   add_value(*command, "--seed", args->options.coverage.seed, "The same seed gives the same places");
-  add_common_options(*command, args->common, examples);
+  add_common_options(*command, args->common, compare_examples);
   command->callback([args] { run(*args); });
 }
 

@@ -27,7 +27,7 @@
 namespace deburr::cli {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* denoise_examples =
     "  deburr denoise scan.ply clean.ply\n"
     "  deburr denoise scan.ply clean.ply --report report.json --quiet\n"
     "  deburr denoise scan.ply clean.ply --report report.html\n"
@@ -167,7 +167,7 @@ void add_denoise_command(CLI::App& program) {
                    "Write the summary to this file: as JSON, or, if it ends in .html, as a page "
                    "that shows the points before and after; - is stdout")
       ->option_text("FILE");
-  add_common_options(*command, args->common, examples);
+  add_common_options(*command, args->common, denoise_examples);
   command->callback([command, args] {
     finish_denoise_options(*command, args->options);
     run(*args);

@@ -15,7 +15,7 @@
 namespace deburr::cli {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* info_examples =
     "  deburr info scan.ply\n"
     "  deburr info scan.xyz --json";
 
@@ -53,7 +53,7 @@ void add_info_command(CLI::App& program) {
   const auto args = std::make_shared<InfoArgs>();
   add_file(*command, "IN", args->input, cloud_help);
   add_in_format(*command, args->in_format);
-  add_common_options(*command, args->common, examples);
+  add_common_options(*command, args->common, info_examples);
   command->callback([args] { run(*args); });
 }
 

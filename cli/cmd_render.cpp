@@ -23,7 +23,7 @@
 namespace deburr::cli {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* render_examples =
     "  deburr render scan.ply scan.png\n"
     "  deburr render part.ply part.png --before scan.ply --color displacement\n"
     "  deburr render scan.ply top.png --view top --size 640x480 --quiet";
@@ -158,7 +158,7 @@ void add_render_command(CLI::App& program) {
   command->add_flag_callback(
       "--no-legend", [args] { args->options.legend = false; },
       "Do not draw below what the colours of displacement and labels mean");
-  add_common_options(*command, args->common, examples);
+  add_common_options(*command, args->common, render_examples);
   command->callback([args] { run(*args); });
 }
 

@@ -21,7 +21,7 @@
 namespace deburr::cli {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* synth_examples =
     "  deburr synth part part.ply\n"
     "  deburr synth part part.xyz --points 5000 --noise 0.01 --seed 7 --truth part_truth.ply\n"
     "  deburr synth thin-plate plate.ply --points 10000 --thickness 0.03 --noise-spacings 0.3\n"
@@ -216,7 +216,7 @@ void add_synth_command(CLI::App& program) {
           "--clean", args->clean,
           "Write the points before the noise, with normals and outlier, to this file; - is stdout")
       ->option_text("CLOUD");
-  add_common_options(*command, args->common, examples);
+  add_common_options(*command, args->common, synth_examples);
   command->callback([args] { run(*args); });
 }
 

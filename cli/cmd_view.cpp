@@ -21,7 +21,7 @@
 namespace deburr::cli {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* view_examples =
     "  deburr view scan.ply -o scan.html\n"
     "  deburr view scan.ply part.ply -o view.html\n"
     "  deburr view scan.ply part.ply -o view.html --truth part_truth.ply --json";
@@ -160,7 +160,7 @@ void add_view_command(CLI::App& program) {
   add_up(*command, args->up);
   add_value(*command, "--max-size", args->max_megabytes,
             "Largest size of the page, in megabytes; what does not fit is left out evenly");
-  add_common_options(*command, args->common, examples);
+  add_common_options(*command, args->common, view_examples);
   command->callback([args] { run(*args); });
 }
 

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "deburr/denoise.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace deburr::cli {
 

@@ -8,3 +8,8 @@ if(DEBURR_SANITIZE)
     -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(deburr_options INTERFACE -fsanitize=${DEBURR_SANITIZE})
 endif()
+
+# A compiler cache saves more, but not with precompiled headers.
+if(CMAKE_CXX_COMPILER_LAUNCHER)
+  set(DEBURR_QUICK_BUILD OFF)
+endif()

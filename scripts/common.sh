@@ -33,10 +33,12 @@ install_missing() {
   fi
   as_root+=(env DEBIAN_FRONTEND=noninteractive apt-get -q -o Acquire::Retries=3)
   echo "installing ${missing[*]}"
-  # The lists of a fresh container are empty. Where they cannot be renewed, the old ones may do.
-  logged "${as_root[@]}" update || echo "apt-get update failed, trying with the lists as they are"
-  logged "${as_root[@]}" install -y --no-install-recommends "${missing[@]}" ||
-    fail_with_log "the installation failed"
+  # The lists of a fresh container are empty, and others may be too old.
+  logged "${as_root[@]}" install -y --no-install-recommends "${missing[@]}" || {
+    logged "${as_root[@]}" update || echo "apt-get update failed, trying with the lists as they are"
+    logged "${as_root[@]}" install -y --no-install-recommends "${missing[@]}" ||
+      fail_with_log "the installation failed"
+  }
 }
 
 # Installs Node.js where there is none of 18 or newer; another source than Debian may have brought it.

@@ -1,20 +1,21 @@
 # Installs a build, moves it to another place, and builds and runs the project of this folder
 # against it:
 #   cmake -D source=DIR -D build=DIR -D work=DIR -D compiler=PATH -D shared=BOOL -P run.cmake
-# `build` is an existing build of `source`; with `shared` it is made here, with a shared library.
-# `work` is emptied.
+# `build` is an existing build of `source`. With `shared`, a shared library is made of its objects,
+# which suit both kinds of library, and installed instead. `work` is emptied.
 function(step)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
+file(REMOVE_RECURSE ${work})
 if(shared)
-  step(${CMAKE_COMMAND} -S ${source} -B ${build} -G Ninja -D CMAKE_CXX_COMPILER=${compiler}
-    -D CMAKE_BUILD_TYPE=Debug -D BUILD_SHARED_LIBS=ON -D DEBURR_BUILD_CLI=OFF
-    -D DEBURR_BUILD_TESTS=OFF)
-  step(${CMAKE_COMMAND} --build ${build})
+  set(ENV{CMAKE_CXX_COMPILER_LAUNCHER} "sh;${CMAKE_CURRENT_LIST_DIR}/take_object.sh;${build}")
+  step(${CMAKE_COMMAND} -S ${source} -B ${work}/shared -G Ninja -D CMAKE_CXX_COMPILER=${compiler}
+    -D BUILD_SHARED_LIBS=ON -D DEBURR_BUILD_CLI=OFF -D DEBURR_BUILD_TESTS=OFF)
+  step(${CMAKE_COMMAND} --build ${work}/shared)
+  set(build ${work}/shared)
 endif()
 
-file(REMOVE_RECURSE ${work})
 step(${CMAKE_COMMAND} --install ${build} --prefix ${work}/installed)
 file(RENAME ${work}/installed ${work}/moved)
 
