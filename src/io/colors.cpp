@@ -48,8 +48,13 @@ void Colors::pack(std::size_t begin, std::size_t end, std::uint32_t* to) const {
     std::visit(
         [&]<typename T>(const std::vector<T>& values) {
           if constexpr (std::is_integral_v<T>) {
-            for (std::size_t i = begin; i < end; ++i) {
-              to[i - begin] |= (static_cast<unsigned>(values[i]) + step / 2) / step << shift;
+            const T* const from = values.data() + begin;
+            const std::size_t n = end - begin;
+            for (std::size_t i = 0; i < n && step == 1; ++i) {
+              to[i] |= static_cast<unsigned>(from[i]) << shift;
+            }
+            for (std::size_t i = 0; i < n && step > 1; ++i) {
+              to[i] |= (static_cast<unsigned>(from[i]) + step / 2) / step << shift;
             }
           }
         },

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "io/scalar_type.hpp"
+#include "io/strided.hpp"
 
 namespace deburr {
 namespace {
@@ -32,7 +33,7 @@ Range range_of(const Attribute& attribute) {
           range.all_integers = false;
         } else if constexpr (std::is_integral_v<T> && sizeof(T) <= 4) {
           if (values.empty()) return;
-          const auto [least, most] = std::ranges::minmax(values);
+          const auto [least, most] = ends_of(std::span(values));
           range.least = least;
           range.most = most;
         } else {

@@ -71,12 +71,13 @@ void Losses::add_comments(const FileLayout& layout) {
 
 void Losses::add_coarse_floats(Points points) {
   const double step = coarse_float_step(points);
+  if (step == 0) return;
   const auto is_float = [](double value) {
     return std::isnan(value) || static_cast<double>(static_cast<float>(value)) == value;
   };
   const bool are_exact = std::ranges::all_of(
       points, [&](const Vec3& p) { return is_float(p.x) && is_float(p.y) && is_float(p.z); });
-  if (step == 0 || are_exact) return;
+  if (are_exact) return;
   add(fmt::format(
       "{} was written with 32-bit floats, which are {:.2g} apart at coordinates as large as these",
       format_, step));

@@ -15,6 +15,7 @@
 #include "io/pcd.hpp"
 #include "io/pcd_plan.hpp"
 #include "io/scalar_type.hpp"
+#include "io/strided.hpp"
 
 namespace deburr {
 namespace {
@@ -60,23 +61,19 @@ class PcdWriter {
     if (is_color(source)) {
       packed_colors_.resize(end - begin);
       plan_.colors.pack(begin, end, packed_colors_.data());
-      for (const std::uint32_t color : packed_colors_) {
-        store_little(to, color);
-        to += stride;
-      }
-      return;
+      return scatter(packed_colors_.data(), end - begin, to, stride);
     }
     with_number_type(field.type, [&]<typename T>(std::type_identity<T>) {
       if (source.coordinate != nullptr) {
-        for (std::size_t i = begin; i < end; ++i, to += stride) {
-          store_little(to, static_cast<T>(source.coordinate->coordinate(i)));
-        }
-        return;
+        const Column& c = *source.coordinate;
+        return scatter_axis<T>(c.vectors->data() + begin, c.axis(), end - begin, to, stride);
       }
       const T* from = std::get<std::vector<T>>(source.attribute->values).data();
       from += begin * field.count;
-      for (std::size_t i = begin; i < end; ++i, to += stride) {
-        for (std::size_t j = 0; j < field.count; ++j) store_little(to + j * sizeof(T), *from++);
+      if (field.count == 1) return scatter(from, end - begin, to, stride);
+      const std::size_t count = field.count;
+      for (std::size_t i = begin; i < end; ++i, to += stride, from += count) {
+        scatter(from, count, to, sizeof(T));
       }
     });
   }

@@ -16,6 +16,7 @@
 #include "io/ply_header.hpp"
 #include "io/ply_types.hpp"
 #include "io/scalar_type.hpp"
+#include "io/strided.hpp"
 
 namespace deburr {
 namespace {
@@ -154,14 +155,24 @@ class PlyWriter {
   void write_scalars(std::size_t begin, std::size_t end, const std::vector<PlySource>& sources) {
     std::size_t stride = 0;
     for (const PlySource& s : sources) stride += size_of(s.property.type);
-    std::size_t offset = buffer_.size();
-    buffer_.resize(offset + (end - begin) * stride);
+    const std::size_t start = buffer_.size();
+    buffer_.resize(start + (end - begin) * stride);
+    char* to = buffer_.data() + start;
     for (const PlySource& s : sources) {
       with_ply_type(s.property.type, [&]<typename T>(std::type_identity<T>) {
-        for (std::size_t i = begin; i < end; ++i)
-          store(offset + (i - begin) * stride, value<T>(s, i));
+        if (s.coordinate != nullptr) {
+          const Column& c = *s.coordinate;
+          scatter_axis<T>(c.vectors->data() + begin, c.axis(), end - begin, to, stride);
+        } else {
+          const auto& values = std::get<std::vector<T>>(s.attribute->values);
+          scatter(values.data() + begin, end - begin, to, stride);
+        }
+        if (header_.encoding != Encoding::PlyBigEndian) return;
+        for (std::size_t i = 0; i < end - begin; ++i) {
+          std::reverse(to + i * stride, to + i * stride + sizeof(T));
+        }
       });
-      offset += size_of(s.property.type);
+      to += size_of(s.property.type);
     }
   }
 
