@@ -108,8 +108,7 @@ class LasWriter {
     counts_.high = grid_.high;
     const Attribute* const returns = plan_.attribute_for("return_number");
     if (returns == nullptr) {
-      // One return each: see append_points().
-      counts_.returns[1] = has_layout_ ? 0 : cloud_.size();
+      counts_.returns[plan_.makes_up("return_number") ? 1 : 0] = cloud_.size();
       return;
     }
     // Several counts at a time: one that is the same again and again has to wait for itself.
@@ -168,9 +167,7 @@ class LasWriter {
   void add_field(const LasFieldSource& source, std::size_t begin, std::size_t end) {
     const LasField& field = source.field;
     if (source.attribute == nullptr) {
-      // A point without any return would be none.
-      const bool is_return = field.name == "return_number" || field.name == "number_of_returns";
-      if (has_layout_ || !is_return) return;
+      if (!plan_.makes_up(field.name)) return;
       for (std::size_t i = 0; i < end - begin; ++i) {
         bytes_[i] = static_cast<std::uint8_t>(bytes_[i] | 1U << field.shift);
       }

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "io/comments.hpp"
+
 namespace deburr {
 namespace {
 
@@ -57,10 +59,30 @@ void Losses::add_elements(const FileLayout& layout, const std::vector<const Attr
 void Losses::add_foreign_blocks(const FileLayout& layout, std::string_view own_prefix) {
   std::vector<std::string_view> names;
   for (const HeaderBlock& block : layout.blocks) {
-    if (!block.name.starts_with(own_prefix)) names.push_back(block.name);
+    if (block.name.starts_with(own_prefix) || is_block_of_marks(block)) continue;
+    names.push_back(block.name);
   }
   if (names.empty()) return;
   add(fmt::format("{} cannot hold: {}; left out", format_, fmt::join(names, ", ")));
+}
+
+void Losses::add_changed_comments(std::size_t count) {
+  if (count == 0) return;
+  add(
+      fmt::format("{} cannot hold the control characters in comments ({} of them), which became "
+                  "blanks",
+                  format_, count));
+}
+
+void Losses::add_wider_alpha(const Colors& colors) {
+  if (colors.of[3] == nullptr || colors.most[3] == colors.most[0]) return;
+  add(fmt::format(
+      "{} holds 'alpha' in as many bits as the colours, which makes other numbers of it", format_));
+}
+
+void Losses::add_name(std::string_view before, std::string_view after) {
+  if (before == after) return;
+  add(fmt::format("{} cannot hold the name '{}', it became '{}'", format_, before, after));
 }
 
 void Losses::add_comments(const FileLayout& layout) {

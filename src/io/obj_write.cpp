@@ -83,6 +83,7 @@ class ObjWriter {
       // Real numbers are written as they are.
       divisors_.push_back(std::max(1U, colors.most.at(k)));
     }
+    losses_.add_wider_alpha(colors);
     if (numbers_.empty() && cloud_.layout.encoding == Encoding::Obj) {
       const auto w = std::ranges::find(cloud_.attributes, "w", &Attribute::name);
       if (w != cloud_.attributes.end() && !w->is_list() && w->type() != ScalarType::Text) {
@@ -101,8 +102,12 @@ class ObjWriter {
   }
 
   void write_anew() {
-    append_comments(buffer_, cloud_.layout);
+    const CommentLines comments(cloud_.layout, "OBJ");
+    losses_.add_changed_comments(comments.changed());
+    const bool first = !comments.begin_like_another_format() || cloud_.size() == 0;
+    if (first) buffer_ += comments.text();
     append_vertices(0, cloud_.size());
+    if (!first) buffer_ += comments.text();
     append_normals();
     for (std::size_t face = 0; face < faces_.size(); ++face) {
       if (face % block == 0) job_.flush(buffer_);

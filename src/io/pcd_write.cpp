@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/bytes.hpp"
+#include "io/comments.hpp"
 #include "io/fields.hpp"
 #include "io/losses.hpp"
 #include "io/lzf.hpp"
@@ -39,7 +40,9 @@ class PcdWriter {
       header.encoding = Encoding::PcdBinary;
       losses_.add("PCD cannot compress more than 4 GB, the points were written uncompressed");
     }
-    buffer_ = format_pcd_header(header);
+    const CommentLines comments(cloud_.layout, "PCD");
+    losses_.add_changed_comments(comments.changed());
+    buffer_ = format_pcd_header(header, comments.text());
     if (header.encoding == Encoding::PcdCompressed) {
       write_compressed(size);
     } else {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "io/comments.hpp"
 #include "io/fields.hpp"
 #include "io/lines.hpp"
 #include "io/losses.hpp"
@@ -28,15 +29,6 @@ struct PlySource {
   const Attribute* attribute = nullptr;
 };
 
-/// PLY separates names by blanks.
-std::string ply_name(std::string name, std::set<std::string>& taken) {
-  std::ranges::replace_if(
-      name, [](char c) { return c == '\n' || is_blank(c); }, '_');
-  if (name.empty()) name = "_";
-  while (!taken.insert(name).second) name += '_';
-  return name;
-}
-
 class PlyWriter {
  public:
   explicit PlyWriter(const WriteJob& job)
@@ -51,6 +43,7 @@ class PlyWriter {
     add_elements(true);
     add_vertices(is_ply_layout);
     add_elements(false);
+    losses_.add_changed_comments(CommentLines(cloud_.layout, "PLY").changed());
     losses_.add_foreign_blocks(cloud_.layout, "PLY ");
   }
 
@@ -124,6 +117,17 @@ class PlyWriter {
     for (const PlySource& s : sources) element.properties.push_back(s.property);
     header_.elements.push_back(std::move(element));
     sources_.push_back(std::move(sources));
+  }
+
+  /// PLY separates names by blanks.
+  std::string ply_name(const std::string& wanted, std::set<std::string>& taken) {
+    std::string name = wanted;
+    std::ranges::replace_if(
+        name, [](char c) { return c == '\n' || is_blank(c); }, '_');
+    if (name.empty()) name = "_";
+    while (!taken.insert(name).second) name += '_';
+    losses_.add_name(wanted, name);
+    return name;
   }
 
   void flush() { job_.flush(buffer_); }

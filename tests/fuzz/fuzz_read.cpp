@@ -1,8 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The deburr authors
 // SPDX-License-Identifier: Apache-2.0
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -10,6 +7,7 @@
 #include "deburr/error.hpp"
 #include "deburr/io.hpp"
 #include "io/format.hpp"
+#include "support/memory_file.hpp"
 #include "support/same_values.hpp"
 
 // A target of libFuzzer: any bytes are read or refused, and what was read is written and read back
@@ -23,20 +21,6 @@ namespace {
   std::abort();
 }
 
-/// Writes into memory.
-std::string written(const PointCloud& cloud, const char* format) {
-  static const int file = memfd_create("fuzz", MFD_CLOEXEC);
-  if (file < 0 || ftruncate(file, 0) != 0 || lseek(file, 0, SEEK_SET) != 0) {
-    fail("no file in memory");
-  }
-  (void)write_cloud("/dev/fd/" + std::to_string(file), cloud, {}, format);
-  std::string data(static_cast<std::size_t>(lseek(file, 0, SEEK_END)), '\0');
-  if (pread(file, data.data(), data.size(), 0) != static_cast<ssize_t>(data.size())) {
-    fail("the file in memory cannot be read");
-  }
-  return data;
-}
-
 void try_one(std::string data) {
   PointCloud cloud;
   try {
@@ -47,7 +31,7 @@ void try_one(std::string data) {
   std::string again;
   try {
     (void)write_cloud("/dev/null", cloud, {}, "ply");
-    again = written(cloud, DEBURR_FUZZ_FORMAT);
+    again = written_in_memory(cloud, DEBURR_FUZZ_FORMAT);
   } catch (const DataError&) {
     return;  // infinite coordinates in LAS
   }
