@@ -99,7 +99,7 @@ class LasWriter {
                               fmt::join(choice->grid.scale, ", ")));
     }
     grid_ = *choice;
-    integers_.emplace(grid_.grid);
+    integers_ = LasIntegers(grid_.grid);
   }
 
   void count_points() {
@@ -154,7 +154,7 @@ class LasWriter {
   }
 
   void append_coordinates(Points points, char* to) {
-    integers_->put(points, triples_.data());
+    integers_.put(points, triples_.data());
     constexpr std::size_t bytes = 3 * sizeof(std::int32_t);
     if (!is_little_endian) std::ranges::transform(triples_, triples_.begin(), swap_bytes<int>);
     const std::int32_t* from = triples_.data();
@@ -240,7 +240,7 @@ class LasWriter {
   Losses losses_{"LAS"};
   LasPlan plan_;
   GridChoice grid_;
-  std::optional<LasIntegers> integers_;            ///< of the points on the grid
+  LasIntegers integers_{LasGrid{}};                ///< of the points on the grid
   std::array<std::int32_t, 3 * block> triples_{};  ///< those of a block
   LasCounts counts_;
   std::array<std::uint8_t, block> bytes_{};  ///< those of one place in the points of a block
