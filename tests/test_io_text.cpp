@@ -44,6 +44,13 @@ std::vector<T> values(const PointCloud& cloud, std::size_t k) {
   return std::get<std::vector<T>>(cloud.attributes.at(k).values);
 }
 
+TEST(Text, ReadsCommentsBehindAHeaderWithoutPoints) {
+  const PointCloud cloud = parsed("x,y,z,a\n# c\n", "csv");
+  EXPECT_EQ(cloud.size(), 0U);
+  EXPECT_EQ(cloud.layout.fields.size(), 4U);
+  EXPECT_EQ(cloud.layout.comments, std::vector<std::string>{"c"});
+}
+
 TEST(Text, TakesTheSimplestTypeForIntegers) {
   const auto type_of = [](const std::string& first, const std::string& second) {
     const PointCloud cloud = parsed("1 2 3 " + first + "\n4 5 6 " + second + "\n", "xyz");

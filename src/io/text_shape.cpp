@@ -63,9 +63,10 @@ class ShapeFinder {
       const std::size_t number = lines_.number();
       shape_.layout.header = TextHeader::Plain;
       remember_place();
-      if (next_content()) separator = find_separator(lines_.line());
-      const std::size_t columns = lines_.number() > number ? count_columns(separator)
-                                                           : split_names(header, separator).size();
+      const bool has_row = next_content();
+      if (has_row) separator = find_separator(lines_.line());
+      const std::size_t columns =
+          has_row ? count_columns(separator) : split_names(header, separator).size();
       take_header(header, number, separator, columns);
     } else {
       take_row(separator);
