@@ -69,7 +69,7 @@ class ObjReader {
     }
     flush_run();
     if (keyword == "vn") normal_starts_.push_back(kept_.size());
-    kept_ += lines_.line();
+    kept_ += keyword.starts_with('#') ? lines_.raw() : lines_.line();
     kept_ += '\n';
     if (keyword == "vn") normal_ends_.push_back(kept_.size());
     // The line goes on, so that the next one is no vertex.

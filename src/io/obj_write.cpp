@@ -133,7 +133,7 @@ class ObjWriter {
         if (vertex == cloud_.size()) append_normals();
         continue;
       }
-      buffer_ += lines.line();
+      buffer_ += lines.raw();
       buffer_ += '\n';
       if (lines.number() % block == 0) job_.flush(buffer_);
     }
