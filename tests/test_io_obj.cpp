@@ -35,6 +35,18 @@ const char* const rich =
     "vn 0 0 1\nusemtl red\ns off\nf 1/1/1 2/2/1 3/3/1\n\no second\ng a b\nv 0 0 1\nf -1 -2 -3\n"
     "l 1 2\n";
 
+TEST(Obj, KeepsCommentsAmongOtherLinesToTheLastBlank) {
+  const std::string file = "  #c  \no a\nv 1 2 3\n";
+  const TempDir dir;
+  EXPECT_EQ(written_as(dir, parsed(file), "a.obj"), file);
+}
+
+TEST(Obj, WithoutPointsGetsNoComment) {
+  const PointCloud cloud = parsed(" \n", "obj");
+  const TempDir dir;
+  EXPECT_THAT(parsed(written_as(dir, cloud, "a.obj"), "obj").layout.comments, IsEmpty());
+}
+
 TEST(Obj, KeepsAllOtherLines) {
   const TempDir dir;
   PointCloud cloud = parsed(rich);

@@ -7,6 +7,7 @@
 
 #include "deburr/error.hpp"
 #include "support/cloud_files.hpp"
+#include "support/memory_file.hpp"
 #include "support/random_cloud.hpp"
 #include "support/same_cloud.hpp"
 #include "support/say_the_same.hpp"
@@ -50,42 +51,39 @@ void expect_kept(const PointCloud& before, const PointCloud& after,
     EXPECT_NE(is_there, are_named(warnings, "hold the element '" + e.name + "'")) << e.name;
   }
   const bool same_comments = after.layout.comments == before.layout.comments;
-  EXPECT_TRUE(same_comments || are_named(warnings, "comments"));
+  EXPECT_NE(same_comments, are_named(warnings, "comments"));
 }
 
 class RandomIo : public testing::TestWithParam<unsigned> {};
 
 /// Writes and reads again; none where the format has no place for the cloud.
-std::optional<PointCloud> through(const TempDir& dir, const PointCloud& cloud,
-                                  const std::string& format) {
+std::optional<PointCloud> through(const PointCloud& cloud, const std::string& format) {
   SCOPED_TRACE("to " + format);
-  const std::string name = "a." + format;
   if (format == "stl" && cloud.layout.elements.empty()) {
-    EXPECT_THROW((void)write_cloud(dir / name, cloud), DataError);
+    EXPECT_THROW((void)written_in_memory(cloud, format), DataError);
     return std::nullopt;
   }
   std::vector<std::string> warnings;
-  const std::string file = written_as(dir, cloud, name, &warnings);
+  const std::string file = written_in_memory(cloud, format, &warnings);
   PointCloud again = parsed(file, format);
   expect_kept(cloud, again, warnings, format);
-  EXPECT_TRUE(written_as(dir, again, "b." + format, &warnings) == file);
+  EXPECT_TRUE(written_in_memory(again, format, &warnings) == file);
   EXPECT_THAT(warnings, testing::IsEmpty());
   return again;
 }
 
 TEST_P(RandomIo, KeepsOrNamesEverythingFromEveryFormatToEveryOther) {
-  const TempDir dir;
   const PointCloud cloud = RandomClouds(GetParam()).next();
   const std::vector<std::string> formats{"ply", "las", "pcd", "stl", "obj", "off", "csv", "pts"};
   for (const std::string& first : formats) {
     SCOPED_TRACE("from " + first);
-    const std::optional<PointCloud> once = through(dir, cloud, first);
+    const std::optional<PointCloud> once = through(cloud, first);
     if (!once) continue;
-    for (const std::string& second : formats) (void)through(dir, *once, second);
+    for (const std::string& second : formats) (void)through(*once, second);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomIo, testing::Range(1U, 5U));
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomIo, testing::Range(1U, 25U));
 
 }  // namespace
 }  // namespace deburr

@@ -37,6 +37,20 @@ std::optional<unsigned> most_of(const Attribute& attribute) {
       attribute.values);
 }
 
+/// Where values of colours or of alpha, but not of both, need 16 bits: then both are of 16 bits, as
+/// far as types say no other.
+Colors with_other_alpha(Colors colors) {
+  const auto is_wide = [](const Attribute* a) { return size_of(a->type()) > 1; };
+  if (colors.most[0] > most_byte) {
+    if (is_wide(colors.of[3])) colors.most[3] = most_word;
+  } else if (std::all_of(colors.of.begin(), colors.of.begin() + 3, is_wide)) {
+    std::fill_n(colors.most.begin(), 3, most_word);
+  } else {
+    colors.of[3] = nullptr;
+  }
+  return colors;
+}
+
 }  // namespace
 
 void Colors::pack(std::size_t begin, std::size_t end, std::uint32_t* to) const {
@@ -48,8 +62,13 @@ void Colors::pack(std::size_t begin, std::size_t end, std::uint32_t* to) const {
     std::visit(
         [&]<typename T>(const std::vector<T>& values) {
           if constexpr (std::is_integral_v<T>) {
-            for (std::size_t i = begin; i < end; ++i) {
-              to[i - begin] |= (static_cast<unsigned>(values[i]) + step / 2) / step << shift;
+            const T* const from = values.data() + begin;
+            const std::size_t n = end - begin;
+            for (std::size_t i = 0; i < n && step == 1; ++i) {
+              to[i] |= static_cast<unsigned>(from[i]) << shift;
+            }
+            for (std::size_t i = 0; i < n && step > 1; ++i) {
+              to[i] |= (static_cast<unsigned>(from[i]) + step / 2) / step << shift;
             }
           }
         },
@@ -69,6 +88,7 @@ Colors find_colors(const PointCloud& cloud) {
     }
     colors.of.at(k) = attribute;
     colors.most.at(k) = *most;
+    if (k == 3 && *most != colors.most[0]) return with_other_alpha(colors);
     if (k == 2) {
       const unsigned together = std::ranges::max({colors.most[0], colors.most[1], *most});
       std::fill_n(colors.most.begin(), 3, together);

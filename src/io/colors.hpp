@@ -18,7 +18,8 @@ inline constexpr std::array<const char*, 4> color_names{"red", "green", "blue", 
 struct Colors {
   std::array<const Attribute*, 4> of{};  ///< all null if there are none; alpha may be null
   /// What stands for full brightness: 255, or 65535 as in LAS if a value is above 255; one for the
-  /// three colours, one for alpha. 0 for real numbers, whose meaning nobody knows.
+  /// three colours, one for alpha, which is 255 beside 65535 only where its type has eight bits.
+  /// 0 for real numbers, whose meaning nobody knows.
   std::array<unsigned, 4> most{};
 
   [[nodiscard]] bool are_there() const { return of[0] != nullptr; }

@@ -38,10 +38,10 @@ struct Column {
   const std::vector<Vec3>* vectors = nullptr;  ///< of a column with a role
   const Attribute* attribute = nullptr;        ///< of a column without
 
+  /// Of a column with a role.
+  [[nodiscard]] double Vec3::*axis() const { return axes[static_cast<std::size_t>(role) % 3]; }
   /// Value of item i of a column with a role.
-  [[nodiscard]] double coordinate(std::size_t i) const {
-    return (*vectors)[i].*axes[static_cast<std::size_t>(role) % 3];
-  }
+  [[nodiscard]] double coordinate(std::size_t i) const { return (*vectors)[i].*axis(); }
 };
 
 /// All columns: first those of the layout in its order, then normals and attributes that it does

@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "io/fields.hpp"
-#include "io/large_pages.hpp"
+#include "io/las_integers.hpp"
 #include "io/numbers.hpp"
 
 namespace deburr {
@@ -33,58 +33,16 @@ int exponent_for(double size, double limit) {
   return exponent;
 }
 
-/// The nearest integer, ties to even, of a number below 2^51. Faster than a call of nearbyint().
-double nearest(double value) {
-  constexpr double large = 0x1.8p52;
-  return (value + large) - large;
-}
-
 /// Fills in all but the grid; false if a point lies outside of it.
 bool put_on_grid(GridChoice& choice, Points points) {
-  const LasGrid& grid = choice.grid;
-  choice.integers.clear();
-  resize_large(choice.integers, 3 * points.size());
-  choice.is_exact = true;
-  std::array<std::int32_t, 3> least{};
-  std::array<std::int32_t, 3> most{};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double value = points[i].*axes[k];
-      const double quick = nearest((value - grid.offset[k]) / grid.scale[k]);
-      std::int32_t integer = 0;
-      if (std::abs(quick) < largest_integer) {
-        integer = static_cast<std::int32_t>(quick);
-      } else if (const auto held = las_integer(value, grid.scale[k], grid.offset[k])) {
-        integer = *held;
-      } else {
-        return false;
-      }
-      choice.is_exact = choice.is_exact && integer * grid.scale[k] + grid.offset[k] == value;
-      choice.integers[3 * i + k] = integer;
-      least[k] = i == 0 ? integer : std::min(least[k], integer);
-      most[k] = i == 0 ? integer : std::max(most[k], integer);
-    }
-  }
-  for (std::size_t k = 0; k < 3 && !points.empty(); ++k) {
-    const double a = least[k] * grid.scale[k] + grid.offset[k];
-    const double b = most[k] * grid.scale[k] + grid.offset[k];
-    choice.low[k] = std::min(a, b);
-    choice.high[k] = std::max(a, b);
-  }
+  LasIntegers integers(choice.grid);
+  if (!integers.survey(points)) return false;
+  choice.is_exact = integers.is_exact();
+  if (!points.empty()) integers.tell_box(choice.low, choice.high);
   return true;
 }
 
 }  // namespace
-
-std::optional<std::int32_t> las_integer(double value, double scale, double offset) {
-  const double real = (value - offset) / scale;
-  constexpr double safe = 0x1p51;
-  const double integer = std::abs(real) < safe ? nearest(real) : real;
-  const double held = std::clamp(integer, -largest_integer - 1, largest_integer);
-  // The last integers may be missed by a rounding of the difference. A NaN is never equal.
-  if (held != integer && held * scale + offset != value) return std::nullopt;
-  return static_cast<std::int32_t>(held);
-}
 
 std::optional<GridChoice> refine_grid(const LasGrid& old, Points points, double resolution) {
   GridChoice choice;

@@ -15,15 +15,11 @@ namespace deburr {
 /// A grid for coordinates, and what it does to them.
 struct GridChoice {
   LasGrid grid;
-  bool is_exact = true;                ///< every coordinate is read back as the same double
-  bool is_coarse = false;              ///< coarser than wished, for want of integers
-  std::vector<std::int32_t> integers;  ///< x y z of each point
-  std::array<double, 3> low{};         ///< bounding box of what is read back
+  bool is_exact = true;         ///< every coordinate is read back as the same double
+  bool is_coarse = false;       ///< coarser than wished, for want of integers
+  std::array<double, 3> low{};  ///< bounding box of what is read back
   std::array<double, 3> high{};
 };
-
-/// The integer of a coordinate; none outside of 32 bits.
-[[nodiscard]] std::optional<std::int32_t> las_integer(double value, double scale, double offset);
 
 /// Refines the grid of a file until its steps are no larger than `resolution`, if that is > 0. A
 /// step is halved again and again: so the old places keep their doubles to the last bit.

@@ -17,13 +17,16 @@ namespace {
 /// Comments of other formats.
 void add_comments(std::vector<LasRecord>& records, const FileLayout& layout, Losses& losses) {
   std::string text;
+  std::size_t changed = 0;
   for (const auto* comments : {&layout.comments, &layout.obj_info}) {
     for (std::string comment : *comments) {
+      if (comment.find('\n') != std::string::npos) ++changed;
       std::ranges::replace(comment, '\n', ' ');
       text += comment + '\n';
     }
   }
   if (text.empty()) return;
+  losses.add_changed_comments(changed);
   constexpr std::size_t most = 0xffff;
   if (text.size() > most) losses.add("LAS holds 64 kB of comments, the rest was left out");
   records.push_back(

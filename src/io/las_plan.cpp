@@ -11,6 +11,7 @@
 #include <set>
 
 #include "io/scalar_type.hpp"
+#include "io/strided.hpp"
 
 namespace deburr {
 namespace {
@@ -32,7 +33,7 @@ Range range_of(const Attribute& attribute) {
           range.all_integers = false;
         } else if constexpr (std::is_integral_v<T> && sizeof(T) <= 4) {
           if (values.empty()) return;
-          const auto [least, most] = std::ranges::minmax(values);
+          const auto [least, most] = ends_of(std::span(values));
           range.least = least;
           range.most = most;
         } else {
@@ -122,14 +123,14 @@ class Planner {
 
   std::string unique_name(const std::string& name) {
     constexpr std::size_t longest = 32;
-    std::string unique = name.substr(0, longest);
+    std::string base = name;
+    std::ranges::replace(base, '\0', '_');  // which ends a name
+    std::string unique = base.substr(0, longest);
     for (int n = 2; !names_.insert(unique).second; ++n) {
       const std::string tail = fmt::format("_{}", n);
-      unique = name.substr(0, longest - tail.size()) + tail;
+      unique = base.substr(0, longest - tail.size()) + tail;
     }
-    if (unique != name) {
-      losses_.add(fmt::format("LAS cannot hold the name '{}', it became '{}'", name, unique));
-    }
+    losses_.add_name(name, unique);
     return unique;
   }
 
@@ -235,6 +236,13 @@ const Attribute* LasPlan::attribute_for(std::string_view field) const {
   const auto found = std::ranges::find_if(
       fields, [&](const LasFieldSource& source) { return source.field.name == field; });
   return found != fields.end() ? found->attribute : nullptr;
+}
+
+bool LasPlan::makes_up(std::string_view field) const {
+  const bool is_return = field == "return_number" || field == "number_of_returns";
+  const bool is_extra = std::ranges::any_of(
+      extras, [&](const LasExtraSource& source) { return source.extra.name == field; });
+  return is_return && !has_layout && !is_extra && attribute_for(field) == nullptr;
 }
 
 LasPlan plan_las(const PointCloud& cloud, const std::vector<Column>& columns,

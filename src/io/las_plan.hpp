@@ -37,6 +37,9 @@ struct LasPlan {
   std::size_t point_bytes = 0;
 
   [[nodiscard]] const Attribute* attribute_for(std::string_view field) const;
+  /// Whether points get one return each for want of a word about it: a point without any would be
+  /// none. Where an extra field tells of returns, that of the format stays 0, and gives way to it.
+  [[nodiscard]] bool makes_up(std::string_view field) const;
 };
 
 /// @param columns   of the cloud; the plan points into them

@@ -11,6 +11,7 @@
 #include "io/las_header.hpp"
 #include "io/las_layout.hpp"
 #include "io/scalar_type.hpp"
+#include "io/strided.hpp"
 
 namespace deburr {
 namespace {
@@ -30,6 +31,7 @@ class LasReader {
       source_.check_cancelled();
       const std::size_t end = std::min(header_.points, begin + block);
       gathered_ = 0;
+      grow(end);
       read_coordinates(begin, end);
       for (std::size_t k = 0; k < fields_.size(); ++k) read_field(k, begin, end);
       for (std::size_t k = 0; k < extras_.size(); ++k) read_extra(k, begin, end);
@@ -75,22 +77,34 @@ class LasReader {
     }
   }
 
+  /// Takes memory for all points, but leaves the zeros to grow().
   void make_columns() {
     const std::size_t n = header_.points;
-    resize_large(cloud_.points, n);
+    reserve_large(cloud_.points, n);
     for (const LasField& field : fields_) {
-      cloud_.attributes.push_back({std::string(field.name), zeros(field.type, n), {}});
+      cloud_.attributes.push_back({std::string(field.name), room_for(field.type, n), {}});
     }
-    if (std::ranges::count(roles_, 3) > 0) resize_large(cloud_.normals, n);
+    if (std::ranges::count(roles_, 3) > 0) reserve_large(cloud_.normals, n);
     for (std::size_t k = 0; k < extras_.size(); ++k) {
       if (roles_[k] != no_role) continue;
       const LasExtra& extra = extras_[k];
-      Attribute attribute{extra.name, zeros(extra.value_type(), n * extra.count), {}};
+      Attribute attribute{extra.name, room_for(extra.value_type(), n * extra.count), {}};
+      counts_.push_back(extra.count);
       for (std::size_t i = 0; extra.count > 1 && i <= n; ++i) {
         attribute.offsets.push_back(i * extra.count);
       }
       attribute.length_type = extra.count <= 0xff ? ScalarType::UInt8 : ScalarType::UInt16;
       cloud_.attributes.push_back(std::move(attribute));
+    }
+  }
+
+  /// Makes all columns as long as that, while the block that comes is not yet in the cache.
+  void grow(std::size_t size) {
+    cloud_.points.resize(size);
+    if (cloud_.normals.capacity() > 0) cloud_.normals.resize(size);
+    for (std::size_t k = 0; k < cloud_.attributes.size(); ++k) {
+      const std::size_t count = k < fields_.size() ? 1 : counts_[k - fields_.size()];
+      std::visit([&](auto& values) { values.resize(size * count); }, cloud_.attributes[k].values);
     }
   }
 
@@ -121,10 +135,7 @@ class LasReader {
   /// The values at a place in each of the points [begin, end).
   template <typename T>
   void fetch(std::size_t byte, std::size_t begin, std::size_t end, T* to) const {
-    // Copies, since a byte that is stored could be part of any object.
-    const char* from = point(begin) + byte;
-    const std::size_t stride = header_.point_bytes;
-    for (std::size_t n = end - begin; n > 0; --n, from += stride) *to++ = load_little<T>(from);
+    gather(point(begin) + byte, end - begin, header_.point_bytes, to);
   }
 
   /// Fields that share a byte stand one after the other: it is fetched once for all of them.
@@ -135,12 +146,8 @@ class LasReader {
       fetch(field.byte, begin, end, bytes_.data());
     }
     auto& values = std::get<std::vector<std::uint8_t>>(cloud_.attributes[k].values);
-    std::uint8_t* const to = values.data() + begin;
-    const unsigned mask = (1U << field.bits) - 1;
-    const unsigned shift = field.shift;
-    for (std::size_t i = 0; i < end - begin; ++i) {
-      to[i] = static_cast<std::uint8_t>((unsigned{bytes_[i]} >> shift) & mask);
-    }
+    take_bits(bytes_.data(), end - begin, {field.shift, (1U << field.bits) - 1},
+              values.data() + begin);
   }
 
   void read_extra(std::size_t k, std::size_t begin, std::size_t end) {
@@ -181,7 +188,8 @@ class LasReader {
   std::vector<LasField> fields_;
   std::vector<LasExtra> extras_;
   std::vector<std::size_t> extra_places_;
-  std::vector<int> roles_;  ///< of the extras
+  std::vector<int> roles_;           ///< of the extras
+  std::vector<std::size_t> counts_;  ///< of values, of those extras that are attributes
   std::array<std::uint8_t, block> bytes_{};
   std::size_t gathered_ = 0;  ///< the byte of a point that bytes_ has of this block; 0 for none
   PointCloud cloud_;

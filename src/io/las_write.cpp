@@ -4,6 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <cstring>
+#include <optional>
 #include <stdexcept>
 
 #include "deburr/error.hpp"
@@ -11,8 +14,10 @@
 #include "io/las.hpp"
 #include "io/las_grid.hpp"
 #include "io/las_head.hpp"
+#include "io/las_integers.hpp"
 #include "io/las_plan.hpp"
 #include "io/scalar_type.hpp"
+#include "io/strided.hpp"
 
 namespace deburr {
 namespace {
@@ -73,23 +78,28 @@ class LasWriter {
     }
   }
 
-  void choose_coordinates() {
+  void require_finite() const {
     const auto bad = std::ranges::find_if_not(cloud_.points, is_finite);
-    if (bad != cloud_.points.end()) {
-      throw DataError(
-          fmt::format("LAS cannot hold the coordinates of point {}, which are not finite",
-                      bad - cloud_.points.begin() + 1));
-    }
+    if (bad == cloud_.points.end()) return;
+    throw DataError(fmt::format("LAS cannot hold the coordinates of point {}, which are not finite",
+                                bad - cloud_.points.begin() + 1));
+  }
+
+  void choose_coordinates() {
     std::optional<GridChoice> choice;
     if (has_layout_) choice = refine_grid(old_.grid, cloud_.points, cloud_.layout.resolution);
     const bool is_new = !choice;
-    if (is_new) choice = choose_grid(cloud_.points);
+    if (is_new) {
+      require_finite();
+      choice = choose_grid(cloud_.points);
+    }
     if (!choice) throw DataError("LAS cannot hold coordinates as large as these");
     if (choice->is_coarse || (is_new && !choice->is_exact)) {
       losses_.add(fmt::format("LAS rounds coordinates, here to multiples of {}",
                               fmt::join(choice->grid.scale, ", ")));
     }
-    grid_ = std::move(*choice);
+    grid_ = *choice;
+    integers_ = LasIntegers(grid_.grid);
   }
 
   void count_points() {
@@ -98,17 +108,24 @@ class LasWriter {
     counts_.high = grid_.high;
     const Attribute* const returns = plan_.attribute_for("return_number");
     if (returns == nullptr) {
-      // One return each: see append_points().
-      counts_.returns[1] = has_layout_ ? 0 : cloud_.size();
+      counts_.returns[plan_.makes_up("return_number") ? 1 : 0] = cloud_.size();
       return;
     }
+    // Several counts at a time: one that is the same again and again has to wait for itself.
+    constexpr std::size_t lanes = 4;
+    std::array<std::array<std::uint64_t, 16>, lanes> sums{};
     std::visit(
         [&]<typename T>(const std::vector<T>& values) {
           if constexpr (!std::is_same_v<T, std::string>) {
-            for (const T value : values) ++counts_.returns.at(static_cast<std::size_t>(value));
+            for (std::size_t i = 0; i < values.size(); ++i) {
+              ++sums[i % lanes].at(static_cast<std::size_t>(values[i]));
+            }
           }
         },
         returns->values);
+    for (const auto& sum : sums) {
+      for (std::size_t r = 0; r < sum.size(); ++r) counts_.returns.at(r) += sum.at(r);
+    }
   }
 
   void append_points(std::size_t begin, std::size_t end) {
@@ -116,46 +133,72 @@ class LasWriter {
     const std::size_t start = buffer_.size();
     buffer_.resize(start + (end - begin) * stride);
     char* const to = buffer_.data() + start;
-    const std::int32_t* from = grid_.integers.data() + 3 * begin;
-    for (std::size_t i = 0; i < end - begin; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) store_little(to + i * stride + 4 * k, *from++);
-    }
-    for (const LasFieldSource& source : plan_.fields) {
-      store_field(source, to + source.field.byte, begin, end);
+    append_coordinates(Points(cloud_.points).subspan(begin, end - begin), to);
+    for (std::size_t k = 0; k < plan_.fields.size(); ++k) {
+      const LasFieldSource& source = plan_.fields[k];
+      if (source.field.bits == 0) {
+        store_field(source, to + source.field.byte, begin, end);
+        continue;
+      }
+      // Fields that share a byte stand one after the other: it is stored once for all of them.
+      const bool is_first = k == 0 || plan_.fields[k - 1].field.byte != source.field.byte;
+      const bool is_last =
+          k + 1 == plan_.fields.size() || plan_.fields[k + 1].field.byte != source.field.byte;
+      if (is_first) bytes_.fill(0);
+      add_field(source, begin, end);
+      if (is_last) scatter(bytes_.data(), end - begin, to + source.field.byte, stride);
     }
     for (const LasExtraSource& source : plan_.extras) {
       store_extra(source, to + source.place, begin, end);
     }
   }
 
-  void store_field(const LasFieldSource& source, char* to, std::size_t begin, std::size_t end) {
+  void append_coordinates(Points points, char* to) {
+    integers_.put(points, triples_.data());
+    constexpr std::size_t bytes = 3 * sizeof(std::int32_t);
+    if (!is_little_endian) std::ranges::transform(triples_, triples_.begin(), swap_bytes<int>);
+    const std::int32_t* from = triples_.data();
+    for (std::size_t n = points.size(); n > 0; --n, to += plan_.point_bytes, from += 3) {
+      std::memcpy(to, from, bytes);
+    }
+  }
+
+  /// Adds the bits of a field to those of the others in its byte.
+  void add_field(const LasFieldSource& source, std::size_t begin, std::size_t end) {
     const LasField& field = source.field;
-    const std::size_t stride = plan_.point_bytes;
     if (source.attribute == nullptr) {
-      // A point without any return would be none.
-      const bool is_return = field.name == "return_number" || field.name == "number_of_returns";
-      if (has_layout_ || !is_return) return;
-      for (std::size_t i = begin; i < end; ++i, to += stride) {
-        *to = static_cast<char>(static_cast<unsigned char>(*to) | 1U << field.shift);
+      if (!plan_.makes_up(field.name)) return;
+      for (std::size_t i = 0; i < end - begin; ++i) {
+        bytes_[i] = static_cast<std::uint8_t>(bytes_[i] | 1U << field.shift);
       }
       return;
     }
     std::visit(
         [&]<typename V>(const std::vector<V>& values) {
+          if constexpr (std::is_same_v<V, std::uint8_t>) {
+            add_bits(values.data() + begin, end - begin, field.shift, bytes_.data());
+          } else if constexpr (!std::is_same_v<V, std::string>) {
+            for (std::size_t i = begin; i < end; ++i) {
+              bytes_[i - begin] = static_cast<std::uint8_t>(
+                  bytes_[i - begin] | static_cast<unsigned>(values[i]) << field.shift);
+            }
+          }
+        },
+        source.attribute->values);
+  }
+
+  void store_field(const LasFieldSource& source, char* to, std::size_t begin, std::size_t end) {
+    if (source.attribute == nullptr) return;
+    const std::size_t stride = plan_.point_bytes;
+    std::visit(
+        [&]<typename V>(const std::vector<V>& values) {
           if constexpr (!std::is_same_v<V, std::string>) {
-            with_number_type(field.type, [&]<typename T>(std::type_identity<T>) {
-              // A copy, since a byte that is stored could be part of any object.
-              const V* const from = values.data();
-              const unsigned shift = field.shift;
-              for (std::size_t i = begin; i < end; ++i, to += stride) {
+            with_number_type(source.field.type, [&]<typename T>(std::type_identity<T>) {
+              const V* from = values.data() + begin;
+              if constexpr (std::is_same_v<T, V>) return scatter(from, end - begin, to, stride);
+              for (std::size_t n = end - begin; n > 0; --n, to += stride) {
                 // A signed byte is a number here. NOLINTNEXTLINE(bugprone-signed-char-misuse)
-                const T value = static_cast<T>(from[i]);
-                if constexpr (std::is_same_v<T, std::uint8_t>) {
-                  *to = static_cast<char>(static_cast<unsigned char>(*to) |
-                                          static_cast<unsigned>(value) << shift);
-                } else {
-                  store_little(to, value);
-                }
+                store_little(to, static_cast<T>(*from++));
               }
             });
           }
@@ -197,7 +240,10 @@ class LasWriter {
   Losses losses_{"LAS"};
   LasPlan plan_;
   GridChoice grid_;
+  LasIntegers integers_{LasGrid{}};                ///< of the points on the grid
+  std::array<std::int32_t, 3 * block> triples_{};  ///< those of a block
   LasCounts counts_;
+  std::array<std::uint8_t, block> bytes_{};  ///< those of one place in the points of a block
   std::string buffer_;
 };
 

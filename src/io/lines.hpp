@@ -61,7 +61,9 @@ class Lines {
       const std::size_t mark = text_.substr(offset_, end - offset_).find('\r');
       if (mark != std::string_view::npos && offset_ + mark + 1 != newline_) end = offset_ + mark;
     }
-    line_ = trim(text_.substr(offset_, end - offset_));
+    raw_ = text_.substr(offset_, end - offset_);
+    if (raw_.ends_with('\r')) raw_.remove_suffix(1);
+    line_ = trim(raw_);
     offset_ = end + 1;
     ++number_;
     return true;
@@ -75,12 +77,14 @@ class Lines {
   }
 
   [[nodiscard]] std::string_view line() const { return line_; }     ///< without outer blanks
+  [[nodiscard]] std::string_view raw() const { return raw_; }       ///< with them
   [[nodiscard]] std::size_t number() const { return number_; }      ///< from 1
   [[nodiscard]] std::size_t end_offset() const { return offset_; }  ///< of the line after this
 
  private:
   std::string_view text_;
   std::string_view line_;
+  std::string_view raw_;
   std::size_t offset_;
   std::size_t number_;
   std::size_t newline_;  ///< the next one from offset_ on

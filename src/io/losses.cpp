@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "io/comments.hpp"
+
 namespace deburr {
 namespace {
 
@@ -57,10 +59,30 @@ void Losses::add_elements(const FileLayout& layout, const std::vector<const Attr
 void Losses::add_foreign_blocks(const FileLayout& layout, std::string_view own_prefix) {
   std::vector<std::string_view> names;
   for (const HeaderBlock& block : layout.blocks) {
-    if (!block.name.starts_with(own_prefix)) names.push_back(block.name);
+    if (block.name.starts_with(own_prefix) || is_block_of_marks(block)) continue;
+    names.push_back(block.name);
   }
   if (names.empty()) return;
   add(fmt::format("{} cannot hold: {}; left out", format_, fmt::join(names, ", ")));
+}
+
+void Losses::add_changed_comments(std::size_t count) {
+  if (count == 0) return;
+  add(
+      fmt::format("{} cannot hold the control characters in comments ({} of them), which became "
+                  "blanks",
+                  format_, count));
+}
+
+void Losses::add_wider_alpha(const Colors& colors) {
+  if (colors.of[3] == nullptr || colors.most[3] == colors.most[0]) return;
+  add(fmt::format(
+      "{} holds 'alpha' in as many bits as the colours, which makes other numbers of it", format_));
+}
+
+void Losses::add_name(std::string_view before, std::string_view after) {
+  if (before == after) return;
+  add(fmt::format("{} cannot hold the name '{}', it became '{}'", format_, before, after));
 }
 
 void Losses::add_comments(const FileLayout& layout) {
@@ -71,12 +93,13 @@ void Losses::add_comments(const FileLayout& layout) {
 
 void Losses::add_coarse_floats(Points points) {
   const double step = coarse_float_step(points);
+  if (step == 0) return;
   const auto is_float = [](double value) {
     return std::isnan(value) || static_cast<double>(static_cast<float>(value)) == value;
   };
   const bool are_exact = std::ranges::all_of(
       points, [&](const Vec3& p) { return is_float(p.x) && is_float(p.y) && is_float(p.z); });
-  if (step == 0 || are_exact) return;
+  if (are_exact) return;
   add(fmt::format(
       "{} was written with 32-bit floats, which are {:.2g} apart at coordinates as large as these",
       format_, step));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "deburr/point_cloud.hpp"
+#include "io/colors.hpp"
 #include "io/fields.hpp"
 
 namespace deburr {
@@ -27,6 +28,12 @@ class Losses {
   void add_elements(const FileLayout& layout, const std::vector<const Attribute*>& kept = {});
   /// Those blocks of the layout that belong to other formats than the one with this prefix.
   void add_foreign_blocks(const FileLayout& layout, std::string_view own_prefix);
+  /// Comments of which a character became a blank, if there are any.
+  void add_changed_comments(std::size_t count);
+  /// An alpha of eight bits beside colours of 16, where all get the same.
+  void add_wider_alpha(const Colors& colors);
+  /// A name that became another.
+  void add_name(std::string_view before, std::string_view after);
   /// Comments and obj_info.
   void add_comments(const FileLayout& layout);
   /// Coordinates that are rounded to 32-bit floats and too large for them: coarse_float_step().

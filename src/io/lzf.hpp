@@ -29,8 +29,6 @@ class LzfUnpacker {
 
  private:
   [[nodiscard]] bool fill();
-  [[nodiscard]] bool unpack_literals(std::size_t code);
-  [[nodiscard]] bool unpack_copy(std::size_t code);
 
   std::string_view packed_;
   std::size_t at_ = 0;

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "io/colors.hpp"
+#include "io/comments.hpp"
 #include "io/faces.hpp"
 #include "io/obj.hpp"
 #include "io/obj_lines.hpp"
@@ -38,6 +39,7 @@ class ObjReader {
           {fmt::format("{} ({})", obj_lines_name, fmt::join(other_keywords_, " ")),
            std::move(kept_)});
     }
+    keep_comments(cloud_.layout, "OBJ", std::move(comments_));
     cloud_.layout.encoding = Encoding::Obj;
     return std::move(cloud_);
   }
@@ -57,8 +59,7 @@ class ObjReader {
     } else if (keyword == "f") {
       read_face(row);
     } else if (keyword.starts_with('#')) {
-      const std::string_view text = lines_.line().substr(1);
-      cloud_.layout.comments.emplace_back(text.starts_with(' ') ? text.substr(1) : text);
+      comments_.push_back(comment_behind(lines_.raw(), lines_.raw().find('#') + 1));
     } else if (!keyword.empty() &&
                std::ranges::find(other_keywords_, keyword) == other_keywords_.end()) {
       if (!is_obj_keyword(keyword)) {
@@ -68,7 +69,7 @@ class ObjReader {
     }
     flush_run();
     if (keyword == "vn") normal_starts_.push_back(kept_.size());
-    kept_ += lines_.line();
+    kept_ += keyword.starts_with('#') ? lines_.raw() : lines_.line();
     kept_ += '\n';
     if (keyword == "vn") normal_ends_.push_back(kept_.size());
     // The line goes on, so that the next one is no vertex.
@@ -214,6 +215,7 @@ class ObjReader {
   const Source& source_;
   Lines lines_;
   PointCloud cloud_;
+  std::vector<Comment> comments_;
   std::string kept_;     ///< all lines but those of vertices
   std::size_t run_ = 0;  ///< vertices since the last line that is kept
   std::size_t extra_count_ = 0;

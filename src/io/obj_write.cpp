@@ -47,7 +47,7 @@ class ObjWriter {
       write_anew();
     }
     // A file without any content could not be read again.
-    if (cloud_.size() == 0 && buffer_.empty()) buffer_ = "#\n";
+    if (cloud_.size() == 0 && buffer_.empty()) buffer_ = "\n";
     job_.flush(buffer_);
     return losses_.take();
   }
@@ -83,6 +83,7 @@ class ObjWriter {
       // Real numbers are written as they are.
       divisors_.push_back(std::max(1U, colors.most.at(k)));
     }
+    losses_.add_wider_alpha(colors);
     if (numbers_.empty() && cloud_.layout.encoding == Encoding::Obj) {
       const auto w = std::ranges::find(cloud_.attributes, "w", &Attribute::name);
       if (w != cloud_.attributes.end() && !w->is_list() && w->type() != ScalarType::Text) {
@@ -101,8 +102,12 @@ class ObjWriter {
   }
 
   void write_anew() {
-    append_comments(buffer_, cloud_.layout);
+    const CommentLines comments(cloud_.layout, "OBJ");
+    losses_.add_changed_comments(comments.changed());
+    const bool first = !comments.begin_like_another_format() || cloud_.size() == 0;
+    if (first) buffer_ += comments.text();
     append_vertices(0, cloud_.size());
+    if (!first) buffer_ += comments.text();
     append_normals();
     for (std::size_t face = 0; face < faces_.size(); ++face) {
       if (face % block == 0) job_.flush(buffer_);
@@ -128,7 +133,7 @@ class ObjWriter {
         if (vertex == cloud_.size()) append_normals();
         continue;
       }
-      buffer_ += lines.line();
+      buffer_ += lines.raw();
       buffer_ += '\n';
       if (lines.number() % block == 0) job_.flush(buffer_);
     }

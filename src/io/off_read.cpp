@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "io/colors.hpp"
+#include "io/comments.hpp"
 #include "io/faces.hpp"
 #include "io/fields.hpp"
 #include "io/numbers.hpp"
 #include "io/off.hpp"
+#include "io/off_colors.hpp"
 #include "io/text_row.hpp"
 
 namespace deburr {
@@ -37,25 +40,6 @@ std::optional<OffKind> parse_kind(std::string_view word) {
   return kind;
 }
 
-/// A column of numbers that are bytes as long as all of them are written so.
-class OffColumn {
- public:
-  void add(const TextRow& row, std::string_view token) {
-    const auto value = row.parse<double>(token, "a colour");
-    are_bytes_ = are_bytes_ && is_integer(token) && value >= 0 && value <= 255 && token[0] != '-';
-    values_.push_back(value);
-  }
-  [[nodiscard]] bool are_bytes() const { return are_bytes_; }
-  [[nodiscard]] Values take(bool as_bytes) {
-    if (!as_bytes) return std::move(values_);
-    return std::vector<std::uint8_t>(values_.begin(), values_.end());
-  }
-
- private:
-  bool are_bytes_ = true;
-  std::vector<double> values_;
-};
-
 class OffReader {
  public:
   explicit OffReader(const Source& source) : source_(source), lines_(source.data) {}
@@ -64,6 +48,7 @@ class OffReader {
     read_counts();
     read_vertices();
     read_faces();
+    keep_comments(cloud_.layout, "OFF", std::move(comments_));
     cloud_.layout.encoding = Encoding::Off;
     return std::move(cloud_);
   }
@@ -74,8 +59,10 @@ class OffReader {
     while (lines_.next_full()) {
       std::string_view line = lines_.line();
       if (const std::size_t mark = line.find('#'); mark != std::string_view::npos) {
-        const std::string_view text = line.substr(mark + 1);
-        cloud_.layout.comments.emplace_back(text.starts_with(' ') ? text.substr(1) : text);
+        const std::string_view raw = lines_.raw();
+        const std::size_t begin = raw.find('#');
+        // What stands before it in its line is data.
+        comments_.push_back(comment_behind(raw.substr(begin), 1));
         line = trim(line.substr(0, mark));
       }
       if (!line.empty()) return {source_, lines_.number(), line};
@@ -128,18 +115,26 @@ class OffReader {
         row.fail(fmt::format("{} numbers behind those of a vertex", words_.size()));
       }
       for (std::size_t k = 0; k < words_.size(); ++k) {
-        (k < color_count ? colors[k] : texture[k - color_count]).add(row, words_[k]);
+        add(k < color_count ? colors[k] : texture[k - color_count], row, words_[k]);
       }
     }
     name_columns();
-    const bool are_bytes =
-        std::all_of(colors, colors + color_count, [](const OffColumn& c) { return c.are_bytes(); });
-    constexpr const char* names[] = {"red", "green", "blue", "alpha"};
-    for (std::size_t k = 0; k < color_count; ++k) add(names[k], colors[k].take(are_bytes));
+    const auto all = [&](bool (OffColumn::*are)() const) {
+      return std::all_of(colors, colors + color_count,
+                         [&](const OffColumn& c) { return (c.*are)(); });
+    };
+    const ScalarType type = all(&OffColumn::are_bytes)   ? ScalarType::UInt8
+                            : all(&OffColumn::are_words) ? ScalarType::UInt16
+                                                         : ScalarType::Float64;
+    for (std::size_t k = 0; k < color_count; ++k) add(color_names.at(k), colors[k].take(type));
     if (kind_.texture) {
-      add("s", texture[0].take(false));
-      add("t", texture[1].take(false));
+      add("s", texture[0].take(ScalarType::Float64));
+      add("t", texture[1].take(ScalarType::Float64));
     }
+  }
+
+  static void add(OffColumn& column, const TextRow& row, std::string_view token) {
+    column.add(token, row.parse<double>(token, "a colour"));
   }
 
   static Vec3 take_vector(TextRow& row) {
@@ -178,14 +173,15 @@ class OffReader {
         corners.push_back(corner);
       }
       offsets.push_back(corners.size());
-      for (; !row.at_end(); ++color_count) colors.add(row, row.word());
+      for (; !row.at_end(); ++color_count) add(colors, row, row.word());
       color_offsets.push_back(color_count);
     }
     if (face_count_ == 0) return;
     Element faces = make_faces(std::move(corners), std::move(offsets));
     if (color_count > 0) {
       faces.attributes.push_back(
-          {"color", colors.take(colors.are_bytes()), std::move(color_offsets), ScalarType::UInt8});
+          {"color", colors.take(colors.are_bytes() ? ScalarType::UInt8 : ScalarType::Float64),
+           std::move(color_offsets), ScalarType::UInt8});
     }
     cloud_.layout.elements.push_back(std::move(faces));
   }
@@ -195,6 +191,7 @@ class OffReader {
   OffKind kind_;
   std::size_t points_ = 0;
   std::size_t face_count_ = 0;
+  std::vector<Comment> comments_;
   std::vector<std::string_view> words_;
   PointCloud cloud_;
 };

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 
+#include "io/colors.hpp"
 #include "io/comments.hpp"
 #include "io/faces.hpp"
 #include "io/fields.hpp"
 #include "io/losses.hpp"
 #include "io/numbers.hpp"
 #include "io/off.hpp"
+#include "io/off_colors.hpp"
 #include "io/scalar_type.hpp"
 
 namespace deburr {
@@ -34,7 +36,9 @@ class OffWriter {
       if (i % block == 0) job_.flush(buffer_);
       append(cloud_.points[i]);
       if (!cloud_.normals.empty()) append(cloud_.normals[i]);
-      for (const Attribute* a : numbers_) append_value(*a, i);
+      for (std::size_t k = 0; k < numbers_.size(); ++k) {
+        append_value(*numbers_[k], i, k < colors_.count() ? factor(k) : 0);
+      }
       buffer_.back() = '\n';
     }
     write_faces();
@@ -57,16 +61,10 @@ class OffWriter {
 
   /// Colours and, for what came from OFF, texture coordinates.
   void find_numbers() {
-    for (const char* name : {"red", "green", "blue", "alpha"}) {
-      const Attribute* const color = find(name);
-      if (color != nullptr && is_color(*color)) numbers_.push_back(color);
-    }
-    const bool is_rgb = numbers_.size() >= 3 && numbers_[2]->name == "blue" &&
-                        std::ranges::all_of(numbers_, [&](const Attribute* a) {
-                          return a->type() == numbers_[0]->type();
-                        });
-    if (!is_rgb) numbers_.clear();
-    has_colors_ = is_rgb;
+    colors_ = find_colors(cloud_);
+    numbers_.assign(colors_.of.begin(),
+                    colors_.of.begin() + static_cast<std::ptrdiff_t>(colors_.count()));
+    losses_.add_wider_alpha(colors_);
     const Attribute* const s = find("s");
     const Attribute* const t = find("t");
     if (cloud_.layout.encoding == Encoding::Off && s != nullptr && t != nullptr) {
@@ -89,9 +87,11 @@ class OffWriter {
   }
 
   void write_head() {
-    buffer_ = fmt::format("{}{}{}OFF\n", has_texture_ ? "ST" : "", has_colors_ ? "C" : "",
+    buffer_ = fmt::format("{}{}{}OFF\n", has_texture_ ? "ST" : "", colors_.are_there() ? "C" : "",
                           cloud_.normals.empty() ? "" : "N");
-    append_comments(buffer_, cloud_.layout);
+    const CommentLines comments(cloud_.layout, "OFF");
+    losses_.add_changed_comments(comments.changed());
+    buffer_ += comments.text();
     buffer_ += fmt::format("{} {} 0\n", cloud_.size(), faces_.size());
   }
 
@@ -121,15 +121,22 @@ class OffWriter {
     }
   }
 
-  /// A real number keeps a point: integers are bytes.
-  void append_value(const Attribute& attribute, std::size_t i) {
+  /// What makes an integer of colour k one of 16 bits, where colours are such.
+  [[nodiscard]] unsigned factor(std::size_t k) const {
+    return colors_.most[0] > 255 ? 65535 / colors_.most.at(k) : 0;
+  }
+
+  /// @param factor  of colours of 16 bits; 0 for others
+  void append_value(const Attribute& attribute, std::size_t i, unsigned factor = 0) {
     std::visit(
         [&]<typename T>(const std::vector<T>& values) {
-          if constexpr (!std::is_same_v<T, std::string>) {
-            const std::size_t begin = buffer_.size();
-            append_number(buffer_, values[i]);
-            if (std::floating_point<T> && is_integer(std::string_view(buffer_).substr(begin))) {
-              buffer_ += ".0";
+          if constexpr (std::floating_point<T>) {
+            append_off_real(buffer_, values[i]);
+          } else if constexpr (std::is_integral_v<T>) {
+            if (factor > 0) {
+              append_off_word(buffer_, factor * static_cast<unsigned>(values[i]));
+            } else {
+              append_number(buffer_, values[i]);
             }
           }
         },
@@ -141,7 +148,7 @@ class OffWriter {
   const PointCloud& cloud_;
   std::vector<Column> columns_;
   std::vector<const Attribute*> numbers_;
-  bool has_colors_ = false;
+  Colors colors_;
   bool has_texture_ = false;
   Faces faces_;
   const Attribute* face_colors_ = nullptr;

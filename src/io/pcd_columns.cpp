@@ -10,9 +10,21 @@
 #include "io/bytes.hpp"
 #include "io/colors.hpp"
 #include "io/fields.hpp"
+#include "io/large_pages.hpp"
 #include "io/scalar_type.hpp"
+#include "io/strided.hpp"
 
 namespace deburr {
+namespace {
+
+/// Makes a column as long as is needed, where it is not yet: next to what will be written, which so
+/// stays in the cache.
+template <typename T>
+void grow(std::vector<T>& values, std::size_t size) {
+  if (values.size() < size) values.resize(size);
+}
+
+}  // namespace
 
 PcdColumns::PcdColumns(const Source& source, const PcdHeader& header) : header_(header) {
   std::vector<std::string> names;
@@ -25,8 +37,8 @@ PcdColumns::PcdColumns(const Source& source, const PcdHeader& header) : header_(
     source.fail(fmt::format("the file has no field '{}'", missing));
   }
   const std::size_t n = header_.points();
-  resize_large(cloud_.points, n);
-  if (std::ranges::count(roles, 3) > 0) resize_large(cloud_.normals, n);
+  reserve_large(cloud_.points, n);
+  if (std::ranges::count(roles, 3) > 0) reserve_large(cloud_.normals, n);
   const bool colors_taken = std::ranges::any_of(header_.fields, [](const PcdField& field) {
     return std::ranges::find(color_names, field.name) != color_names.end();
   });
@@ -47,7 +59,7 @@ PcdColumns::PcdColumns(const Source& source, const PcdHeader& header) : header_(
       continue;
     }
     target.attribute = cloud_.attributes.size();
-    Attribute attribute{field.name, zeros(field.type, n * field.count), {}};
+    Attribute attribute{field.name, room_for(field.type, n * field.count), {}};
     for (std::size_t i = 0; field.count > 1 && i <= n; ++i) {
       attribute.offsets.push_back(i * field.count);
     }
@@ -63,7 +75,7 @@ void PcdColumns::add_colors(const PcdField& field, Target& target) {
   target.attribute = cloud_.attributes.size();
   for (const char* name : color_names) {
     cloud_.layout.fields.push_back({name, ScalarType::UInt8});
-    cloud_.attributes.push_back({name, zeros(ScalarType::UInt8, header_.points()), {}});
+    cloud_.attributes.push_back({name, room_for(ScalarType::UInt8, header_.points()), {}});
   }
   cloud_.layout.blocks.push_back({"PCD colour", field.name});
   has_alpha_ = field.name == "rgba";
@@ -76,10 +88,13 @@ void PcdColumns::take_colors(const Target& target, const char* data, std::size_t
     const char* from = data + places.at(k);
     auto& values =
         std::get<std::vector<std::uint8_t>>(cloud_.attributes[target.attribute + k].values);
+    grow(values, end);
     std::uint8_t used = 0;
+    std::uint8_t* const to = values.data();
     for (std::size_t i = begin; i < end; ++i, from += stride) {
-      values[i] = static_cast<std::uint8_t>(*from);
-      used |= values[i];
+      const auto value = static_cast<std::uint8_t>(*from);
+      to[i] = value;
+      used |= value;
     }
     if (k == 3) has_alpha_ = has_alpha_ || used != 0;
   }
@@ -93,18 +108,20 @@ void PcdColumns::take(std::size_t k, const char* data, std::size_t stride, std::
   if (target.is_color) return take_colors(target, data, stride, begin, end);
   with_number_type(field.type, [&]<typename T>(std::type_identity<T>) {
     if (target.vectors != nullptr) {
+      grow(*target.vectors, end);
       Vec3* const to = target.vectors->data();
       for (std::size_t i = begin; i < end; ++i, data += stride) {
         to[i].*target.axis = static_cast<double>(load_little<T>(data));
       }
       return;
     }
-    T* to = std::get<std::vector<T>>(cloud_.attributes[target.attribute].values).data();
-    to += begin * field.count;
-    for (std::size_t i = begin; i < end; ++i, data += stride) {
-      for (std::size_t j = 0; j < field.count; ++j) {
-        *to++ = load_little<T>(data + j * sizeof(T));
-      }
+    auto& values = std::get<std::vector<T>>(cloud_.attributes[target.attribute].values);
+    const std::size_t count = field.count;
+    grow(values, end * count);
+    T* to = values.data() + begin * count;
+    if (count == 1) return gather(data, end - begin, stride, to);
+    for (std::size_t i = begin; i < end; ++i, data += stride, to += count) {
+      gather(data, count, sizeof(T), to);
     }
   });
 }
@@ -115,6 +132,7 @@ void PcdColumns::take(std::size_t k, TextRow& row, std::size_t i) {
   if (field.is_padding()) {
     for (std::size_t j = 0; j < field.count; ++j) (void)row.word();
   } else if (target.vectors != nullptr) {
+    grow(*target.vectors, i + 1);
     // The text is more exact than a declared type of float.
     (*target.vectors)[i].*target.axis = row.take<double>(field.name);
   } else {
@@ -127,6 +145,7 @@ void PcdColumns::take(std::size_t k, TextRow& row, std::size_t i) {
           return take_colors(target, bytes, sizeof(T), i, i + 1);
         }
         auto& values = std::get<std::vector<T>>(cloud_.attributes[target.attribute].values);
+        grow(values, (i + 1) * field.count);
         values[i * field.count + j] = value;
       }
     });

@@ -48,10 +48,10 @@ class PcdHeaderParser {
   PcdHeader parse() {
     while (lines_.next_full()) {
       if (lines_.line().starts_with('#')) {
-        const std::string_view text = lines_.line().substr(1);
         // The first line, which is written anew.
-        if (trim(text).starts_with(".PCD")) continue;
-        header_.comments.emplace_back(text.starts_with(' ') ? text.substr(1) : text);
+        const bool is_first = lines_.number() == 1;
+        if (is_first && trim(lines_.line().substr(1)).starts_with(".PCD")) continue;
+        header_.comments.push_back(comment_behind(lines_.raw(), lines_.raw().find('#') + 1));
         continue;
       }
       TextRow row(source_, lines_);
@@ -166,7 +166,7 @@ class PcdHeaderParser {
 
 PcdHeader parse_pcd_header(const Source& source) { return PcdHeaderParser(source).parse(); }
 
-std::string format_pcd_header(const PcdHeader& header) {
+std::string format_pcd_header(const PcdHeader& header, std::string_view comments) {
   std::string names;
   std::string sizes;
   std::string letters;
@@ -179,9 +179,7 @@ std::string format_pcd_header(const PcdHeader& header) {
     counts += fmt::format(" {}", field.count);
   }
   std::string text = "# .PCD v0.7 - Point Cloud Data file format\n";
-  FileLayout layout;
-  layout.comments = header.comments;
-  append_comments(text, layout);
+  text += comments;
   text += fmt::format(
       "VERSION 0.7\nFIELDS{}\nSIZE{}\nTYPE{}\nCOUNT{}\nWIDTH {}\nHEIGHT {}\nVIEWPOINT {}\n"
       "POINTS {}\nDATA {}\n",

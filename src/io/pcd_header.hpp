@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "deburr/point_cloud.hpp"
+#include "io/comments.hpp"
 #include "io/source.hpp"
 
 namespace deburr {
@@ -25,7 +27,7 @@ inline constexpr const char* pcd_default_viewpoint = "0 0 0 1 0 0 0";
 /// What the header of a PCD file says.
 struct PcdHeader {
   Encoding encoding = Encoding::PcdBinary;
-  std::vector<std::string> comments;
+  std::vector<Comment> comments;  ///< that were read
   std::vector<PcdField> fields;
   std::size_t width = 0;
   std::size_t height = 1;
@@ -40,6 +42,7 @@ struct PcdHeader {
 /// @throws IoError  naming the line
 [[nodiscard]] PcdHeader parse_pcd_header(const Source& source);
 
-[[nodiscard]] std::string format_pcd_header(const PcdHeader& header);
+/// @param comments  lines of them
+[[nodiscard]] std::string format_pcd_header(const PcdHeader& header, std::string_view comments);
 
 }  // namespace deburr

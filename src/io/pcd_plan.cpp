@@ -32,12 +32,10 @@ const std::string* find_block(const FileLayout& layout, std::string_view name) {
 }  // namespace
 
 PcdPlan::PcdPlan(const PointCloud& cloud, const std::vector<Column>& columns, Losses& losses)
-    : cloud_(cloud) {
+    : cloud_(cloud), losses_(losses) {
   const FileLayout& layout = cloud.layout;
   const bool is_pcd_layout = is_pcd(layout.encoding);
   header.encoding = is_pcd_layout ? layout.encoding : Encoding::PcdBinary;
-  header.comments = layout.comments;
-  header.comments.insert(header.comments.end(), layout.obj_info.begin(), layout.obj_info.end());
   header.width = cloud.size();
   if (const std::string* text = find_block(layout, "PCD viewpoint")) header.viewpoint = *text;
   if (const std::string* text = find_block(layout, "PCD rows")) keep_rows(*text);
@@ -51,13 +49,13 @@ PcdPlan::PcdPlan(const PointCloud& cloud, const std::vector<Column>& columns, Lo
     if (c.role != no_role) {
       add_coordinate(c, is_pcd_layout, c.in_layout || c.role < 3 ? c.type : x->type);
     } else {
-      add_attribute(c, losses);
+      add_attribute(c);
     }
   }
-  losses.add_elements(layout);
-  losses.add_foreign_blocks(layout, "PCD ");
+  losses_.add_elements(layout);
+  losses_.add_foreign_blocks(layout, "PCD ");
   if (x->type == ScalarType::Float32 && header.encoding != Encoding::PcdAscii) {
-    losses.add_coarse_floats(cloud.points);
+    losses_.add_coarse_floats(cloud.points);
   }
 }
 
@@ -77,12 +75,14 @@ void PcdPlan::take_colors(bool is_pcd_layout) {
   color_name_ = name != nullptr ? *name : colors.of[3] != nullptr ? "rgba" : "rgb";
 }
 
-void PcdPlan::add(std::string name, ScalarType type, std::size_t count, PcdSource source) {
+void PcdPlan::add(const std::string& wanted, ScalarType type, std::size_t count, PcdSource source) {
+  std::string name = wanted;
   std::ranges::replace_if(
       name, [](char c) { return c == '\n' || is_blank(c); }, '_');
   // The name of a field of padding.
   if (name.empty() || name == "_") name = "field";
   while (source.coordinate == nullptr && !names_.insert(name).second) name += '_';
+  losses_.add_name(wanted, name);
   header.fields.push_back({name, type, count, header.point_bytes});
   header.point_bytes += size_of(type) * count;
   sources.push_back(source);
@@ -93,7 +93,7 @@ void PcdPlan::add_coordinate(const Column& c, bool is_pcd_layout, ScalarType wis
   add(name_of(c, is_pcd_layout), is_real ? wish : ScalarType::Float64, 1, {&c, nullptr});
 }
 
-void PcdPlan::add_attribute(const Column& column, Losses& losses) {
+void PcdPlan::add_attribute(const Column& column) {
   const Attribute& attribute = *column.attribute;
   if (std::ranges::find(colors.of, &attribute) != colors.of.end()) {
     if (&attribute == colors.of[0]) add(color_name_, ScalarType::UInt32, 1, {});
@@ -107,8 +107,8 @@ void PcdPlan::add_attribute(const Column& column, Losses& losses) {
       if (attribute.offsets[i + 1] != (i + 1) * count) count = 0;
     }
   }
-  if (attribute.type() == ScalarType::Text || count == 0) return losses.add(attribute);
-  losses.add_renamed(column);
+  if (attribute.type() == ScalarType::Text || count == 0) return losses_.add(attribute);
+  losses_.add_renamed(column);
   add(column.name, attribute.type(), count, {nullptr, &attribute});
 }
 

@@ -36,11 +36,12 @@ class PcdPlan {
  private:
   void keep_rows(const std::string& text);
   void take_colors(bool is_pcd_layout);
-  void add(std::string name, ScalarType type, std::size_t count, PcdSource source);
+  void add(const std::string& wanted, ScalarType type, std::size_t count, PcdSource source);
   void add_coordinate(const Column& c, bool is_pcd_layout, ScalarType wish);
-  void add_attribute(const Column& column, Losses& losses);
+  void add_attribute(const Column& column);
 
   const PointCloud& cloud_;
+  Losses& losses_;
   std::string color_name_;
   std::set<std::string> names_;
 };

@@ -118,7 +118,7 @@ class PcdReader {
 
   void complete(FileLayout& layout) {
     layout.encoding = header_.encoding;
-    layout.comments = std::move(header_.comments);
+    keep_comments(layout, "PCD", std::move(header_.comments));
     if (header_.viewpoint != pcd_default_viewpoint) {
       layout.blocks.push_back({"PCD viewpoint", header_.viewpoint});
     }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/bytes.hpp"
+#include "io/comments.hpp"
 #include "io/fields.hpp"
 #include "io/losses.hpp"
 #include "io/lzf.hpp"
@@ -15,6 +16,7 @@
 #include "io/pcd.hpp"
 #include "io/pcd_plan.hpp"
 #include "io/scalar_type.hpp"
+#include "io/strided.hpp"
 
 namespace deburr {
 namespace {
@@ -38,7 +40,9 @@ class PcdWriter {
       header.encoding = Encoding::PcdBinary;
       losses_.add("PCD cannot compress more than 4 GB, the points were written uncompressed");
     }
-    buffer_ = format_pcd_header(header);
+    const CommentLines comments(cloud_.layout, "PCD");
+    losses_.add_changed_comments(comments.changed());
+    buffer_ = format_pcd_header(header, comments.text());
     if (header.encoding == Encoding::PcdCompressed) {
       write_compressed(size);
     } else {
@@ -60,23 +64,19 @@ class PcdWriter {
     if (is_color(source)) {
       packed_colors_.resize(end - begin);
       plan_.colors.pack(begin, end, packed_colors_.data());
-      for (const std::uint32_t color : packed_colors_) {
-        store_little(to, color);
-        to += stride;
-      }
-      return;
+      return scatter(packed_colors_.data(), end - begin, to, stride);
     }
     with_number_type(field.type, [&]<typename T>(std::type_identity<T>) {
       if (source.coordinate != nullptr) {
-        for (std::size_t i = begin; i < end; ++i, to += stride) {
-          store_little(to, static_cast<T>(source.coordinate->coordinate(i)));
-        }
-        return;
+        const Column& c = *source.coordinate;
+        return scatter_axis<T>(c.vectors->data() + begin, c.axis(), end - begin, to, stride);
       }
       const T* from = std::get<std::vector<T>>(source.attribute->values).data();
       from += begin * field.count;
-      for (std::size_t i = begin; i < end; ++i, to += stride) {
-        for (std::size_t j = 0; j < field.count; ++j) store_little(to + j * sizeof(T), *from++);
+      if (field.count == 1) return scatter(from, end - begin, to, stride);
+      const std::size_t count = field.count;
+      for (std::size_t i = begin; i < end; ++i, to += stride, from += count) {
+        scatter(from, count, to, sizeof(T));
       }
     });
   }

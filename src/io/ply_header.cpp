@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "io/comments.hpp"
 #include "io/lines.hpp"
 #include "io/numbers.hpp"
 #include "io/scalar_type.hpp"
@@ -59,9 +60,9 @@ class HeaderParser {
       if (keyword == "format") {
         parse_format();
       } else if (keyword == "comment") {
-        header_.comments.push_back(free_text());
+        header_.comments.push_back(free_text(keyword));
       } else if (keyword == "obj_info") {
-        header_.obj_info.push_back(free_text());
+        header_.obj_info.push_back(free_text(keyword));
       } else if (keyword == "element") {
         parse_element();
       } else if (keyword == "property") {
@@ -78,9 +79,9 @@ class HeaderParser {
     source_.fail(fmt::format("line {}: {}", lines_.number(), what));
   }
 
-  [[nodiscard]] std::string free_text() const {
-    // Blanks after the first one belong to the text.
-    return std::string(rest_.starts_with(' ') ? rest_.substr(1) : rest_);
+  /// What stands behind a keyword and a blank, with all other blanks.
+  [[nodiscard]] std::string free_text(std::string_view keyword) const {
+    return comment_behind(lines_.raw(), lines_.raw().find(keyword) + keyword.size()).text;
   }
 
   void expect_end() {
@@ -167,8 +168,7 @@ std::string format_ply_header(const PlyHeader& header) {
   std::string text = fmt::format("ply\nformat {} 1.0\n", encoding->name);
   const auto add_lines = [&](std::string_view keyword, const std::vector<std::string>& lines) {
     for (std::string line : lines) {
-      std::ranges::replace_if(
-          line, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+      std::ranges::replace_if(line, ends_lines, ' ');
       text += line.empty() ? fmt::format("{}\n", keyword) : fmt::format("{} {}\n", keyword, line);
     }
   };

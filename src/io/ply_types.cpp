@@ -32,14 +32,20 @@ bool float_prints_as(double value) {
   return text == std::string_view(narrow.data(), narrow_end);
 }
 
+/// From the middle between the largest float and the next power of two on.
+constexpr double too_large_for_floats = 0x1.ffffffp127;
+
+/// Whether a number is a float.
+bool is_float(double value) {
+  return std::abs(value) < too_large_for_floats &&
+         static_cast<double>(static_cast<float>(value)) == value;
+}
+
 bool holds(ScalarType type, double value, bool is_text) {
   if (type == ScalarType::Float64) return true;
   if (type == ScalarType::Float32) {
-    if (!std::isfinite(value)) return true;
-    // From the middle between the largest float and the next power of two on, it is too large.
-    if (std::abs(value) >= 0x1.ffffffp127) return false;
-    return static_cast<double>(static_cast<float>(value)) == value ||
-           (is_text && float_prints_as(value));
+    if (!std::isfinite(value) || is_float(value)) return true;
+    return is_text && std::abs(value) < too_large_for_floats && float_prints_as(value);
   }
   if (!is_ply_type(type)) return false;
   return with_ply_type(type, [&]<typename T>(std::type_identity<T>) {
@@ -69,14 +75,30 @@ bool all_fit(const std::vector<T>& values, ScalarType type) {
 }  // namespace
 
 bool hold_exactly(const std::vector<Column>& columns, int first_role, bool is_text) {
-  return std::ranges::all_of(columns, [&](const Column& c) {
-    if (c.role < first_role || c.role >= first_role + 3) return true;
-    if (!is_ply_type(c.type)) return false;
-    for (std::size_t i = 0; i < c.vectors->size(); ++i) {
-      if (!holds(c.type, c.coordinate(i), is_text)) return false;
+  const auto is_wanted = [&](const Column& c) {
+    return c.role >= first_role && c.role < first_role + 3 && c.type != ScalarType::Float64;
+  };
+  const auto holds_all = [&](const Column& c, std::size_t begin, std::size_t end) {
+    const double Vec3::*const axis = c.axis();
+    for (std::size_t i = begin; i < end; ++i) {
+      const double value = (*c.vectors)[i].*axis;
+      if (c.type == ScalarType::Float32 && is_float(value)) continue;
+      if (!holds(c.type, value, is_text)) return false;
     }
     return true;
-  });
+  };
+  const auto first = std::ranges::find_if(columns, is_wanted);
+  const std::size_t size = first != columns.end() ? first->vectors->size() : 0;
+  // In blocks that stay in the cache while each of the axes is looked at.
+  constexpr std::size_t block = 4096;
+  for (std::size_t begin = 0; begin < size; begin += block) {
+    const std::size_t end = std::min(size, begin + block);
+    for (const Column& c : columns) {
+      if (is_wanted(c) && !holds_all(c, begin, end)) return false;
+    }
+  }
+  return std::ranges::all_of(columns,
+                             [&](const Column& c) { return !is_wanted(c) || is_ply_type(c.type); });
 }
 
 std::optional<Attribute> narrow_to_ply(const Attribute& attribute) {

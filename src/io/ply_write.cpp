@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "io/comments.hpp"
 #include "io/fields.hpp"
 #include "io/lines.hpp"
 #include "io/losses.hpp"
@@ -16,6 +17,7 @@
 #include "io/ply_header.hpp"
 #include "io/ply_types.hpp"
 #include "io/scalar_type.hpp"
+#include "io/strided.hpp"
 
 namespace deburr {
 namespace {
@@ -26,15 +28,6 @@ struct PlySource {
   const Column* coordinate = nullptr;
   const Attribute* attribute = nullptr;
 };
-
-/// PLY separates names by blanks.
-std::string ply_name(std::string name, std::set<std::string>& taken) {
-  std::ranges::replace_if(
-      name, [](char c) { return c == '\n' || is_blank(c); }, '_');
-  if (name.empty()) name = "_";
-  while (!taken.insert(name).second) name += '_';
-  return name;
-}
 
 class PlyWriter {
  public:
@@ -50,6 +43,7 @@ class PlyWriter {
     add_elements(true);
     add_vertices(is_ply_layout);
     add_elements(false);
+    losses_.add_changed_comments(CommentLines(cloud_.layout, "PLY").changed());
     losses_.add_foreign_blocks(cloud_.layout, "PLY ");
   }
 
@@ -125,6 +119,17 @@ class PlyWriter {
     sources_.push_back(std::move(sources));
   }
 
+  /// PLY separates names by blanks.
+  std::string ply_name(const std::string& wanted, std::set<std::string>& taken) {
+    std::string name = wanted;
+    std::ranges::replace_if(
+        name, [](char c) { return c == '\n' || is_blank(c); }, '_');
+    if (name.empty()) name = "_";
+    while (!taken.insert(name).second) name += '_';
+    losses_.add_name(wanted, name);
+    return name;
+  }
+
   void flush() { job_.flush(buffer_); }
 
   template <typename T>
@@ -154,14 +159,24 @@ class PlyWriter {
   void write_scalars(std::size_t begin, std::size_t end, const std::vector<PlySource>& sources) {
     std::size_t stride = 0;
     for (const PlySource& s : sources) stride += size_of(s.property.type);
-    std::size_t offset = buffer_.size();
-    buffer_.resize(offset + (end - begin) * stride);
+    const std::size_t start = buffer_.size();
+    buffer_.resize(start + (end - begin) * stride);
+    char* to = buffer_.data() + start;
     for (const PlySource& s : sources) {
       with_ply_type(s.property.type, [&]<typename T>(std::type_identity<T>) {
-        for (std::size_t i = begin; i < end; ++i)
-          store(offset + (i - begin) * stride, value<T>(s, i));
+        if (s.coordinate != nullptr) {
+          const Column& c = *s.coordinate;
+          scatter_axis<T>(c.vectors->data() + begin, c.axis(), end - begin, to, stride);
+        } else {
+          const auto& values = std::get<std::vector<T>>(s.attribute->values);
+          scatter(values.data() + begin, end - begin, to, stride);
+        }
+        if (header_.encoding != Encoding::PlyBigEndian) return;
+        for (std::size_t i = 0; i < end - begin; ++i) {
+          std::reverse(to + i * stride, to + i * stride + sizeof(T));
+        }
       });
-      offset += size_of(s.property.type);
+      to += size_of(s.property.type);
     }
   }
 

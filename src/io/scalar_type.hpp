@@ -74,6 +74,15 @@ inline Values zeros(ScalarType type, std::size_t count) {
   });
 }
 
+/// No values yet, but memory for so many.
+inline Values room_for(ScalarType type, std::size_t count) {
+  return with_number_type(type, [&]<typename T>(std::type_identity<T>) {
+    std::vector<T> values;
+    reserve_large(values, count);
+    return Values(std::move(values));
+  });
+}
+
 /// Number of values that an attribute holds, all lists together.
 inline std::size_t value_count(const Attribute& attribute) {
   return std::visit([](const auto& values) { return values.size(); }, attribute.values);

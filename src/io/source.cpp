@@ -108,12 +108,7 @@ std::string name_of_other_format(std::string_view data) {
     if (data.starts_with(start)) return std::string(name);
   }
   const std::string_view head = data.substr(0, 65536);
-  const auto is_binary = [](char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return (byte < 32 && std::string_view("\t\n\v\f\r\x1a").find(c) == std::string_view::npos) ||
-           byte == 127;
-  };
-  return std::any_of(head.begin(), head.end(), is_binary) ? "binary data" : "";
+  return std::any_of(head.begin(), head.end(), is_binary_byte) ? "binary data" : "";
 }
 
 }  // namespace deburr

@@ -29,6 +29,13 @@ struct Source {
 [[nodiscard]] Source load(const std::filesystem::path& path,
                           const std::function<bool()>& cancelled = {});
 
+/// Whether a byte tells that a file is no text.
+[[nodiscard]] constexpr bool is_binary_byte(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  constexpr unsigned char of_ms_dos = 0x1a;  // at the end of old texts
+  return byte == 127 || (byte < 32 && (byte < '\t' || byte > '\r') && byte != of_ms_dos);
+}
+
 /// Name of the kind of file for those that are often taken for a point cloud, else empty.
 [[nodiscard]] std::string name_of_other_format(std::string_view data);
 

@@ -38,8 +38,10 @@ Values TextColumn::take() {
 void TextColumn::survey(std::string_view token) {
   if (all_integers_) {
     all_integers_ = is_integer(token);
+    has_negative_ = has_negative_ || token.starts_with('-');
     if (all_integers_ && parse_number<std::int64_t>(token)) return;
     all_fit_ = false;
+    all_fit_unsigned_ = all_fit_unsigned_ && parse_number<std::uint64_t>(token);
   }
   if (all_numbers_) all_numbers_ = is_number(token);
 }
@@ -49,7 +51,12 @@ bool TextColumn::append(const TextField& field) {
   switch (type()) {
     case ScalarType::Int64: {
       const std::optional<std::int64_t> value = parse_number<std::int64_t>(field.text);
+      has_negative_ = has_negative_ || field.text.starts_with('-');
       return value && is_integer(field.text) && push(*value);
+    }
+    case ScalarType::UInt64: {
+      const std::optional<std::uint64_t> value = parse_number<std::uint64_t>(field.text);
+      return value && is_integer(field.text) && !field.text.starts_with('-') && push(*value);
     }
     case ScalarType::Float64: {
       const std::optional<double> value = parse_number<double>(field.text);

@@ -16,8 +16,9 @@ class TextColumn {
  public:
   [[nodiscard]] ScalarType type() const {
     if (!all_integers_) return all_numbers_ ? ScalarType::Float64 : ScalarType::Text;
-    // Integers too large for their type stay text, which loses nothing.
-    return all_fit_ ? ScalarType::Int64 : ScalarType::Text;
+    if (all_fit_) return ScalarType::Int64;
+    // Integers too large for any type stay text, which loses nothing.
+    return all_fit_unsigned_ && !has_negative_ ? ScalarType::UInt64 : ScalarType::Text;
   }
   /// Whether values were read as another type before, so that all have to be read again.
   [[nodiscard]] bool is_stale() const { return is_stale_; }
@@ -41,8 +42,10 @@ class TextColumn {
   Values values_;
   std::size_t rows_ = 0;
   std::size_t count_ = 0;
-  bool all_integers_ = true;  ///< in form
-  bool all_fit_ = true;       ///< the integers, into 64 bits
+  bool all_integers_ = true;      ///< in form
+  bool all_fit_ = true;           ///< the integers, into 64 bits with a sign
+  bool all_fit_unsigned_ = true;  ///< the positive ones, into 64 bits without
+  bool has_negative_ = false;
   bool all_numbers_ = true;
   bool is_stale_ = false;
 };

@@ -62,8 +62,8 @@ class TextReader {
     while (lines.next_full()) {
       line_ = lines.number();
       if (row % 4096 == 0) source_.check_cancelled();
-      if (const auto comment = parse_comment(lines.line())) {
-        on_comment(*comment);
+      if (std::optional<Comment> comment = parse_comment(lines.raw())) {
+        on_comment(std::move(*comment));
         continue;
       }
       if (!split(lines.line(), shape_.layout.separator, fields_)) fail("a quote does not end");
@@ -93,9 +93,9 @@ class TextReader {
           }
           if (may_have_normals_) look_for_normal();
         },
-        [&](const CommentLine& comment) {
-          if (comments_.empty()) shape_.layout.mark = comment.mark;
-          comments_.emplace_back(comment.text);
+        [&](Comment comment) {
+          if (comments_.empty()) shape_.layout.mark = mark_of(comment);
+          comments_.push_back(std::move(comment));
         });
   }
 
@@ -137,7 +137,7 @@ class TextReader {
         [&] {
           for (const std::size_t k : stale) columns_[k].add(fields_[k]);
         },
-        [](const CommentLine&) {});
+        [](const Comment&) {});
   }
 
   void complete() {
@@ -149,7 +149,10 @@ class TextReader {
     }
     cloud_.layout.encoding = Encoding::Text;
     cloud_.layout.text = shape_.layout;
-    cloud_.layout.comments = std::move(comments_);
+    if (shape_.header_mark != shape_.layout.mark && !shape_.header_mark.empty()) {
+      cloud_.layout.blocks.push_back({std::string(text_header_mark), shape_.header_mark});
+    }
+    keep_comments(cloud_.layout, "text", std::move(comments_), shape_.layout.mark);
   }
 
   [[nodiscard]] double coordinate(std::size_t k) const {
@@ -164,7 +167,7 @@ class TextReader {
   TextShape shape_;
   std::vector<int> roles_;
   std::vector<TextColumn> columns_;  ///< those with a role stay empty
-  std::vector<std::string> comments_;
+  std::vector<Comment> comments_;
   std::vector<TextField> fields_;
   PointCloud cloud_;
   std::size_t line_ = 0;

@@ -63,9 +63,10 @@ class ShapeFinder {
       const std::size_t number = lines_.number();
       shape_.layout.header = TextHeader::Plain;
       remember_place();
-      if (next_content()) separator = find_separator(lines_.line());
-      const std::size_t columns = lines_.number() > number ? count_columns(separator)
-                                                           : split_names(header, separator).size();
+      const bool has_row = next_content();
+      if (has_row) separator = find_separator(lines_.line());
+      const std::size_t columns =
+          has_row ? count_columns(separator) : split_names(header, separator).size();
       take_header(header, number, separator, columns);
     } else {
       take_row(separator);
@@ -88,10 +89,10 @@ class ShapeFinder {
   /// Steps to the next line that is no comment. `shape_` keeps the place before it.
   bool next_content() {
     while (lines_.next_full()) {
-      const std::optional<CommentLine> comment = parse_comment(lines_.line());
+      std::optional<Comment> comment = parse_comment(lines_.raw());
       if (!comment) return true;
-      if (shape_.comments.empty()) shape_.layout.mark = comment->mark;
-      shape_.comments.emplace_back(comment->text);
+      if (shape_.comments.empty()) shape_.layout.mark = mark_of(*comment);
+      shape_.comments.push_back(std::move(*comment));
       remember_place();
     }
     return false;
@@ -136,10 +137,11 @@ class ShapeFinder {
       refuse(fmt::format("line {} has {} columns, a point needs 3", lines_.number(), columns));
     }
     for (std::size_t k = shape_.comments.size(); k-- > 0;) {
-      std::vector<std::string> names = split_header(shape_.comments[k], separator, columns);
+      std::vector<std::string> names = split_header(shape_.comments[k].text, separator, columns);
       if (names.empty()) continue;
       shape_.names = std::move(names);
       shape_.layout.header = TextHeader::Marked;
+      shape_.header_mark = shape_.comments[k].before;
       shape_.comments.erase(shape_.comments.begin() + static_cast<std::ptrdiff_t>(k));
       return;
     }
@@ -170,11 +172,19 @@ class ShapeFinder {
 
 }  // namespace
 
-std::optional<CommentLine> parse_comment(std::string_view line) {
+std::optional<Comment> parse_comment(std::string_view raw) {
+  std::size_t begin = 0;
+  while (begin < raw.size() && is_blank(raw[begin])) ++begin;
   for (const std::string_view mark : {"#", "//"}) {
-    if (line.starts_with(mark)) return CommentLine{mark, trim(line.substr(mark.size()))};
+    if (raw.substr(begin).starts_with(mark)) return comment_behind(raw, begin + mark.size());
   }
   return std::nullopt;
+}
+
+std::string mark_of(const Comment& comment) { return std::string(trim(comment.before)); }
+
+bool names_columns(std::string_view comment, char separator, std::size_t columns) {
+  return !split_header(comment, separator, columns).empty();
 }
 
 TextShape find_shape(const Source& source) {

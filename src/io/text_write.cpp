@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "io/comments.hpp"
 #include "io/fields.hpp"
@@ -10,25 +11,35 @@
 #include "io/losses.hpp"
 #include "io/numbers.hpp"
 #include "io/text.hpp"
+#include "io/text_shape.hpp"
 
 namespace deburr {
 namespace {
 
-/// Appends text so that it is read back as one field.
+/// Characters that no line of text can hold.
+bool is_bad(char c) { return ends_lines(c) || is_binary_byte(c); }
+
+/// The same text, with blanks for such characters.
+std::string cleaned(std::string text) {
+  std::ranges::replace_if(text, is_bad, ' ');
+  return text;
+}
+
+/// Appends text without such characters so that it is read back as one field.
 void append_field(std::string& line, const std::string& text, char separator) {
   const bool at_blanks = separator == ' ' || separator == '\t';
   const bool plain = at_blanks ? !text.empty() && text.find_first_of(blanks) == std::string::npos
                                : text == trim(text) && text.find(separator) == std::string::npos;
   const bool is_comment = text.starts_with('#') || text.starts_with("//");
   // Another separator in it could be taken for that of the file.
-  if (plain && !is_comment && text.find_first_of("\"\n\r,;\t") == std::string::npos) {
+  if (plain && !is_comment && text.find_first_of("\",;\t") == std::string::npos) {
     line += text;
     return;
   }
   line += '"';
   for (const char c : text) {
     if (c == '"') line += '"';
-    line += c == '\n' || c == '\r' ? ' ' : c;  // the reader knows no field of two lines
+    line += c;
   }
   line += '"';
 }
@@ -38,7 +49,7 @@ void append_value(std::string& line, const Attribute& attribute, std::size_t i, 
   std::visit(
       [&]<typename T>(const std::vector<T>& values) {
         if constexpr (std::is_same_v<T, std::string>) {
-          append_field(line, values[i], separator);
+          append_field(line, cleaned(values[i]), separator);
         } else {
           const std::size_t begin = line.size();
           append_number(line, values[i]);
@@ -81,6 +92,7 @@ class TextWriter {
     write_head();
     for (std::size_t i = 0; i < cloud_.size(); ++i) {
       if (i % 4096 == 0) flush();
+      if (i == 1) write_late_comments();
       for (const Column& c : columns_) {
         if (c.role != no_role) {
           append_number(buffer_, c.coordinate(i));
@@ -91,6 +103,7 @@ class TextWriter {
       }
       buffer_.back() = '\n';
     }
+    if (cloud_.size() <= 1) write_late_comments();
     flush();
     return losses_.take();
   }
@@ -104,6 +117,21 @@ class TextWriter {
       if (is_list) losses_.add(*c.attribute);
       return is_list;
     });
+    for (const Column& c : columns_) {
+      if (c.attribute != nullptr) look_for_bad_characters(*c.attribute);
+    }
+  }
+
+  void look_for_bad_characters(const Attribute& attribute) {
+    const auto* const words = std::get_if<std::vector<std::string>>(&attribute.values);
+    if (words == nullptr) return;
+    const auto changed = std::ranges::count_if(
+        *words, [](const std::string& word) { return std::ranges::any_of(word, is_bad); });
+    if (changed == 0) return;
+    losses_.add(
+        fmt::format("text cannot hold the control characters in {} values of '{}', which "
+                    "became blanks",
+                    changed, attribute.name));
   }
 
   /// Whether the reader finds the columns without a header: x y z, or x y z and normals.
@@ -120,15 +148,40 @@ class TextWriter {
 
   void write_head() {
     if (layout_.count_line) buffer_ += fmt::format("{}\n", cloud_.size());
-    append_comments(buffer_, cloud_.layout, layout_.mark);
+    const CommentLines comments(cloud_.layout, "text", layout_.mark, is_bad);
+    losses_.add_changed_comments(comments.changed());
+    // Above the points, some would be taken for a header, or for the first line of another format.
+    const bool are_late = comments.begin_like_another_format() || names_columns();
+    (are_late ? late_comments_ : buffer_) += comments.text();
     if (layout_.header == TextHeader::None) return;
-    if (layout_.header == TextHeader::Marked) buffer_ += layout_.mark;
+    if (layout_.header == TextHeader::Marked) buffer_ += header_mark();
     for (const Column& c : columns_) {
-      append_field(buffer_, c.name, layout_.separator);
+      const std::string name = cleaned(c.name);
+      losses_.add_name(c.name, name);
+      append_field(buffer_, name, layout_.separator);
       buffer_ += layout_.separator;
     }
     buffer_.back() = '\n';
   }
+
+  /// What stands before the names in a comment.
+  [[nodiscard]] std::string header_mark() const {
+    const auto& blocks = cloud_.layout.blocks;
+    const auto found = std::ranges::find(blocks, text_header_mark, &HeaderBlock::name);
+    return found != blocks.end() ? found->data : layout_.mark;
+  }
+
+  /// Whether a comment has as many names as there are columns.
+  [[nodiscard]] bool names_columns() const {
+    if (layout_.header != TextHeader::None) return false;
+    const auto are_names = [&](const std::string& comment) {
+      return deburr::names_columns(comment, layout_.separator, columns_.size());
+    };
+    return std::ranges::any_of(cloud_.layout.comments, are_names) ||
+           std::ranges::any_of(cloud_.layout.obj_info, are_names);
+  }
+
+  void write_late_comments() { buffer_ += std::exchange(late_comments_, {}); }
 
   void flush() { job_.flush(buffer_); }
 
@@ -137,6 +190,7 @@ class TextWriter {
   std::vector<Column> columns_;
   TextLayout layout_;
   Losses losses_{"text"};
+  std::string late_comments_;  ///< that stand behind the first point
   std::string buffer_;
 };
 

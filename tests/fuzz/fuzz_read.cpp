@@ -1,8 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The deburr authors
 // SPDX-License-Identifier: Apache-2.0
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -10,7 +7,9 @@
 #include "deburr/error.hpp"
 #include "deburr/io.hpp"
 #include "io/format.hpp"
+#include "support/memory_file.hpp"
 #include "support/same_values.hpp"
+#include "support/say_the_same.hpp"
 
 // A target of libFuzzer: any bytes are read or refused, and what was read is written and read back
 // as the same. DEBURR_FUZZ_FORMAT is the name of the format.
@@ -23,20 +22,6 @@ namespace {
   std::abort();
 }
 
-/// Writes into memory.
-std::string written(const PointCloud& cloud, const char* format) {
-  static const int file = memfd_create("fuzz", MFD_CLOEXEC);
-  if (file < 0 || ftruncate(file, 0) != 0 || lseek(file, 0, SEEK_SET) != 0) {
-    fail("no file in memory");
-  }
-  (void)write_cloud("/dev/fd/" + std::to_string(file), cloud, {}, format);
-  std::string data(static_cast<std::size_t>(lseek(file, 0, SEEK_END)), '\0');
-  if (pread(file, data.data(), data.size(), 0) != static_cast<ssize_t>(data.size())) {
-    fail("the file in memory cannot be read");
-  }
-  return data;
-}
-
 void try_one(std::string data) {
   PointCloud cloud;
   try {
@@ -45,9 +30,10 @@ void try_one(std::string data) {
     return;
   }
   std::string again;
+  std::vector<std::string> warnings;
   try {
     (void)write_cloud("/dev/null", cloud, {}, "ply");
-    again = written(cloud, DEBURR_FUZZ_FORMAT);
+    again = written_in_memory(cloud, DEBURR_FUZZ_FORMAT, &warnings);
   } catch (const DataError&) {
     return;  // infinite coordinates in LAS
   }
@@ -55,6 +41,8 @@ void try_one(std::string data) {
   if (!same_values(twice.points, cloud.points)) fail("other points");
   if (!same_values(twice.normals, cloud.normals)) fail("other normals");
   if (twice.attributes.size() != cloud.attributes.size()) fail("other attributes");
+  const bool are_same = twice.layout.comments == cloud.layout.comments;
+  if (!are_same && !are_named(warnings, "comment")) fail("other comments");
 }
 
 }  // namespace

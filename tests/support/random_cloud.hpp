@@ -33,7 +33,7 @@ class RandomClouds {
     if (below(2) == 0) add_colors(cloud);
     if (below(2) == 0) add_faces(cloud);
     for (std::size_t k = below(3); k > 0; --k) {
-      cloud.layout.comments.push_back("comment " + std::to_string(k));
+      cloud.layout.comments.push_back(below(2) == 0 ? "comment " + std::to_string(k) : comment());
     }
     return cloud;
   }
@@ -47,12 +47,15 @@ class RandomClouds {
     std::vector<T> result;
     for (std::size_t i = 0; i < count; ++i) {
       if constexpr (std::is_same_v<T, std::string>) {
-        constexpr const char* words[] = {"wall", "", "a b", "say \"hi\"", "1", "x,y", "#"};
+        constexpr const char* words[] = {"wall", "",    "a b", "say \"hi\"",
+                                         "1",    "x,y", "#",   "\x01\r"};
         result.emplace_back(words[below(std::size(words))]);
       } else if constexpr (std::is_floating_point_v<T>) {
         result.push_back(static_cast<T>(below(3) == 0 ? std::round(real()) : real()));
       } else {
-        result.push_back(static_cast<T>(below(4) == 0 ? random_() : below(9)));
+        // As many as words of 32 bits have, and of 64 bits.
+        const std::uint64_t large = std::uint64_t{random_()} << (below(2) == 0 ? 32 : 0);
+        result.push_back(static_cast<T>(below(4) == 0 ? large : below(20)));
       }
     }
     return result;
@@ -86,9 +89,26 @@ class RandomClouds {
   }
 
   Attribute attribute(std::size_t number, std::size_t points) {
-    constexpr const char* names[] = {"intensity", "gps_time", "classification", "label", "range"};
+    // Some have fields of a few bits in LAS, some are no words for every format.
+    constexpr const char* names[] = {"intensity",
+                                     "gps_time",
+                                     "classification",
+                                     "label",
+                                     "return_number",
+                                     "range",
+                                     "number_of_returns",
+                                     "user_data",
+                                     "scan_direction_flag",
+                                     "point_source_id",
+                                     "scan_angle",
+                                     "scan_angle_rank",
+                                     "two words",
+                                     "\x1b[0m",
+                                     "overlap"};
     Attribute result;
-    result.name = below(2) == 0 ? names[number % std::size(names)] : "f" + std::to_string(number);
+    const std::string own = "f" + std::to_string(number);
+    // All different: five numbers, three names for each.
+    result.name = below(3) > 0 ? names[number + 5 * below(3)] : own;
     const std::size_t type = below(11);
     const std::size_t shape = type == 10 ? 0 : below(6);
     if (shape == 0 || shape > 2) {
@@ -101,6 +121,26 @@ class RandomClouds {
     }
     result.values = of_type(type, result.offsets.back());
     return result;
+  }
+
+  std::string comment() {
+    constexpr const char* texts[] = {"",
+                                     " c",
+                                     "c ",
+                                     "#c",
+                                     "x y z",
+                                     "x y z f0",
+                                     "vtk",
+                                     ".PCD v0.7",
+                                     "a\tb",
+                                     "\t",
+                                     "a\x01"
+                                     "b",
+                                     "\r",
+                                     "a\nb",
+                                     "//",
+                                     "1 2 3"};
+    return texts[below(std::size(texts))];
   }
 
   void add_colors(PointCloud& cloud) {
