@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "automatic.hpp"
-#include "take_out.hpp"
 #include "local_noise.hpp"
 #include "noise_levels.hpp"
 #include "outliers_of_distinct.hpp"
 #include "parallel.hpp"
+#include "take_out.hpp"
 
 namespace deburr {
 namespace {

@@ -133,6 +133,15 @@ TEST(Obj, SaysWhatItCannotHold) {
                           "OBJ cannot hold the element 'camera' (2 items), which was left out"));
 }
 
+// A line that goes on to one that begins like a normal has none.
+TEST(Obj, WritesNormalsBesideLinesThatGoOn) {
+  const std::string lines = "vt \\\nvn !\n";
+  const PointCloud cloud = parsed("v 1 2 3\nvn 0 0 1\n" + lines);
+  ASSERT_EQ(cloud.normals, (std::vector<Vec3>{{0, 0, 1}}));
+  const TempDir dir;
+  EXPECT_EQ(written_as(dir, cloud, "a.obj"), "v 1 2 3\nvn 0 0 1\n" + lines);
+}
+
 TEST(Obj, NamesTheLineOfWhatIsWrong) {
   EXPECT_EQ(error_of("v 1 2 3\nv 1 2\n"), "line 2: the line ends before z");
   EXPECT_EQ(error_of("v 1 2 3\nv 1 2 3x\n"), "line 2: '3x' is no value for z");

@@ -30,6 +30,18 @@ constexpr std::array<std::string_view, 40> keywords{
     "hole", "scrv",       "sp",        "end",    "con",    "bevel",  "c_interp", "d_interp",
     "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",  "bsp",    "bzp",      "call"};
 
+/// Whether there are lines of normals. What a line before one goes on to is none.
+bool has_normals(std::string_view kept) {
+  Lines lines(kept);
+  for (bool goes_on = false; lines.next();) {
+    std::string_view rest = lines.line();
+    const std::string_view keyword = next_token(rest);
+    if (!goes_on && keyword == "vn") return true;
+    goes_on = lines.line().ends_with('\\') && (goes_on || !keyword.starts_with('#'));
+  }
+  return false;
+}
+
 class ObjWriter {
  public:
   explicit ObjWriter(const WriteJob& job)
@@ -165,7 +177,7 @@ class ObjWriter {
   void append_normals() {
     if (cloud_.normals.empty()) return;
     // Normals that stand in the lines are not those of the points.
-    if (kept_ != nullptr && kept_->find("\nvn ") != std::string::npos) {
+    if (kept_ != nullptr && has_normals(*kept_)) {
       losses_.add("OBJ has other normals in its lines already, those of the points were left out");
       return;
     }
