@@ -59,7 +59,7 @@ class ObjWriter {
       write_anew();
     }
     // A file without any content could not be read again.
-    if (cloud_.size() == 0 && buffer_.empty()) buffer_ = "\n";
+    if (cloud_.size() == 0 && buffer_.empty()) buffer_ += '\n';
     job_.flush(buffer_);
     return losses_.take();
   }
