@@ -64,6 +64,8 @@ FormatInfo check(const DenoiseArgs& args) {
   const NamedPath report{"--report", args.report};
   check_apart({{"OUT", args.output}, report, json_output(args.common.json)});
   check_kept({{"IN", args.input}}, {report});
+  // A file can be replaced by what came out of it, but not appended to while it is read.
+  if (is_open_stream(args.output)) check_kept({{"IN", args.input}}, {{"OUT", args.output}});
   if (!args.report.empty()) {
     is_page(args.report) ? check_page_output(args.report) : check_output(args.report);
   }

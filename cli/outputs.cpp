@@ -13,7 +13,9 @@ void Outputs::commit(std::string_view last) {
   for (AtomicFile& file : files_) files_.size() > 1 ? file.finish() : file.sync();
   if (interrupted()) throw Cancelled();
   if (!last.empty()) print(last);
-  for (AtomicFile& file : files_) file.commit();
+  // The last first: what was named first is what takes the place of an input, and that must not
+  // have changed where another file cannot be put in its place.
+  for (auto file = files_.rbegin(); file != files_.rend(); ++file) file->commit();
 }
 
 }  // namespace deburr::cli

@@ -29,7 +29,7 @@ class Outputs {
   void commit(std::string_view last = {});
 
  private:
-  std::deque<AtomicFile> files_;  // in the order in which they get their places
+  std::deque<AtomicFile> files_;  // the last gets its place first
 };
 
 }  // namespace deburr::cli

@@ -148,6 +148,21 @@ TEST(AtomicFile, KeepsPermissionsOrTakesThoseOfNewFiles) {
   EXPECT_EQ(fs::status(dir / "b").permissions(), fs::status(dir / "plain").permissions());
 }
 
+TEST(AtomicFile, KeepsTheOwner) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can write a file of another user as theirs";
+  const TempDir dir;
+  put(dir / "a", "old");
+  ASSERT_EQ(::chown((dir / "a").c_str(), 12345, 54321), 0);
+  fs::permissions(dir / "a", fs::perms{0640});
+  AtomicFile file(dir / "a");
+  file.commit();
+  struct stat status {};
+  ASSERT_EQ(::stat((dir / "a").c_str(), &status), 0);
+  EXPECT_EQ(status.st_uid, 12345U);
+  EXPECT_EQ(status.st_gid, 54321U);
+  EXPECT_EQ(fs::status(dir / "a").permissions(), fs::perms{0640});
+}
+
 TEST(AtomicFile, SaysWhyItCannotWrite) {
   const TempDir dir;
   fs::create_symlink("loop", dir / "loop");

@@ -72,6 +72,20 @@ TEST_P(LasFieldOf, KeepsThemInEveryFormatOfInput) {
   }
 }
 
+// 2^53 + 1 is the first integer that is no double.
+TEST_P(LasFieldOf, KeepsIntegersThatNoDoubleHolds) {
+  for (const std::int64_t value : {std::int64_t{1} << 53, (std::int64_t{1} << 53) + 1}) {
+    PointCloud cloud;
+    cloud.points = {{0, 0, 0}, {1, 0, 0}};
+    cloud.attributes = {{GetParam(), std::vector<std::int64_t>{value, -value}, {}}};
+    std::vector<std::string> warnings;
+    const PointCloud again = parsed(written_in_memory(cloud, "las", &warnings), "las");
+    const Attribute* const found = find_attribute(again, GetParam());
+    ASSERT_TRUE(found != nullptr);
+    EXPECT_EQ(std::get<std::vector<std::int64_t>>(found->values)[0], value);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Names, LasFieldOf, testing::ValuesIn(all_names()),
                          [](const auto& given) { return given.param; });
 

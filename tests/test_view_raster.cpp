@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -145,6 +146,33 @@ TEST(ViewRaster, IsTheSameEveryTimeAndLeavesOutWhatIsNotFinite) {
             white);
 }
 
+// Far outside, no number is one of a sample, and the way to the picture would never end.
+TEST(ViewRaster, PassesOverWhatLiesFarOutside) {
+  Cube cube;
+  const RasterOptions options{.width = 64, .height = 48};
+  const Camera camera = Camera::fit(View::Iso, cube.points, 64, 48);
+  cube.points[0].x = std::numeric_limits<double>::quiet_NaN();
+  const std::string without = png_bytes(draw(cube.splats(), camera, options));
+  for (const double far : {1e7, 1e12, 1e30, 1e300}) {
+    for (const double right : {-far, far}) {
+      for (const double up : {-far, far}) {
+        cube.points[0] = camera.centre + right * camera.right + up * camera.up;
+        EXPECT_TRUE(png_bytes(draw(cube.splats(), camera, options)) == without) << right << up;
+      }
+    }
+  }
+}
+
+TEST(ViewRaster, EndsWhenToldTo) {
+  const Cube cube;
+  const Camera camera = Camera::fit(View::Iso, cube.points, 64, 48);
+  int looks = 0;
+  const Execution execution{.cancelled = [&] { return ++looks == 3; }};
+  EXPECT_THROW((void)draw(cube.splats(), camera, {.width = 64, .height = 48}, execution),
+               Cancelled);
+  EXPECT_EQ(looks, 3);
+}
+
 TEST(ViewRaster, RefusesOptionsOutOfRange) {
   const Cube cube;
   const Camera camera;
@@ -205,6 +233,23 @@ TEST(ViewStill, ColoursShowWhatTheyAreAskedFor) {
   EXPECT_FALSE(still.is_signed);
   const PointCloud empty;
   EXPECT_THROW((void)draw_still({.before = {.name = "e", .cloud = &empty}}), DataError);
+}
+
+// As in a scan with a stray 0 0 0 far from all else: discs are as large as without it.
+TEST(ViewStill, ASinglePointFarOffMakesNoDifference) {
+  PointCloud cloud = synthesize_part({.points = 3000, .noise = 0}).cloud;
+  const Request request{.before = {.name = "a.ply", .cloud = &cloud}};
+  StillOptions options;
+  options.raster.width = 60;
+  options.raster.height = 40;
+  const auto covered = [&] {
+    const std::vector<std::uint8_t> rgb = draw_still(request, options).picture.rgb;
+    return std::ranges::count_if(rgb, [](std::uint8_t value) { return value < 250; });
+  };
+  const auto usual = static_cast<double>(covered());
+  EXPECT_LT(usual, 0.8 * 3 * 60 * 40);
+  cloud.points[7] = {1e7, -1e7, 1e6};
+  EXPECT_NEAR(static_cast<double>(covered()), usual, 0.05 * usual);
 }
 
 TEST(ViewStill, AnyAxisCanBeUp) {

@@ -45,7 +45,7 @@ AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(path), target_
   // Renaming would replace a file that is protected against writing.
   if (exists && ::access(path.c_str(), W_OK) != 0) fail("cannot write", errno);
   target_ = follow_links(path);
-  open_temporary(exists, status.st_mode & 07777);
+  open_temporary(exists ? &status : nullptr);
 }
 
 AtomicFile::~AtomicFile() {
@@ -61,7 +61,7 @@ std::filesystem::path AtomicFile::temporary_name(unsigned attempt) const {
   return target_.parent_path() / fmt::format(".deburr-{}-{}.tmp", ::getpid(), attempt);
 }
 
-void AtomicFile::open_temporary(bool replaces, unsigned mode) {
+void AtomicFile::open_temporary(const struct stat* replaced) {
 #ifdef O_TMPFILE
   // Without a name, nothing is left over when the program is killed. Not every file system can.
   const std::filesystem::path folder = target_.parent_path();
@@ -75,7 +75,11 @@ void AtomicFile::open_temporary(bool replaces, unsigned mode) {
     if (fd_ < 0 && errno != EEXIST) fail("cannot make a file in its directory", errno);
     if (fd_ >= 0) temporary_ = name;
   }
-  if (replaces && ::fchmod(fd_, mode) != 0) {
+  // Only root can, and only root would take a file from its owner otherwise. Before the mode, which
+  // this may change.
+  if (replaced == nullptr) return;
+  if (::geteuid() == 0) (void)!::fchown(fd_, replaced->st_uid, replaced->st_gid);
+  if (::fchmod(fd_, replaced->st_mode & 07777) != 0) {
     const int error = errno;
     // A constructor that throws is not followed by the destructor.
     ::close(fd_);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <sys/stat.h>
+
 #include <filesystem>
 #include <string_view>
 
@@ -36,7 +38,8 @@ class AtomicFile {
  private:
   [[noreturn]] void fail(std::string_view doing, int error) const;
   [[nodiscard]] std::filesystem::path temporary_name(unsigned attempt) const;
-  void open_temporary(bool replaces, unsigned mode);
+  /// @param replaced  the file that it will take the place of, if there is one
+  void open_temporary(const struct stat* replaced);
   /// Whether there is a file to be put in a place.
   [[nodiscard]] bool is_direct() const { return !is_nameless_ && temporary_.empty(); }
   [[nodiscard]] bool link_to(const std::filesystem::path& name) const;

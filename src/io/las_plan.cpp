@@ -39,9 +39,10 @@ Range range_of(const Attribute& attribute) {
         } else {
           for (const T value : values) {
             const auto real = static_cast<double>(value);
-            // -0 and numbers beyond 2^53 are no integers that another type would give back.
+            // -0 and numbers from 2^53 on are no integers that another type would give back: 2^53
+            // + 1 is the same double as 2^53.
             range.all_integers = range.all_integers && real == std::trunc(real) &&
-                                 std::abs(real) <= 0x1p53 && !(real == 0 && std::signbit(real));
+                                 std::abs(real) < 0x1p53 && !(real == 0 && std::signbit(real));
             range.least = std::min(range.least, real);
             range.most = std::max(range.most, real);
           }

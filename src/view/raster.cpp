@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "parallel.hpp"
 #include "require.hpp"
 
 namespace deburr::view {
@@ -15,6 +16,9 @@ constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
 /// Discs that are seen more from their edge are drawn as if seen at this cosine: something has to
 /// be left of them.
 constexpr double least_facing = 0.25;
+/// Radius of a disc at most, in the shorter side of the picture.
+constexpr double largest_disc = 0.5;
+constexpr std::size_t points_between_looks = 64;
 constexpr int most_pixels = 16384;
 constexpr int most_samples = 8;
 
@@ -33,18 +37,21 @@ class DepthBuffer {
   /// A disc around a place in samples, at a depth in samples.
   /// @param normal  right, up and towards the viewer; zero for one that faces the viewer
   void disc(const Vec3& at, double radius, const Vec3& normal, std::uint32_t index) {
-    const auto begin = [](double v) { return static_cast<int>(std::ceil(std::max(v, 0.0))); };
+    // A disc may lie any distance outside: no number beyond the picture is one of a sample.
+    const auto begin = [](double v, int most) {
+      return static_cast<int>(std::ceil(std::clamp(v, 0.0, static_cast<double>(most))));
+    };
     const auto end = [](double v, int most) {
-      return static_cast<int>(std::floor(std::min(v, static_cast<double>(most - 1))));
+      return static_cast<int>(std::floor(std::clamp(v, -1.0, static_cast<double>(most - 1))));
     };
     // Along the normal the depth changes by these, per sample to the right and up.
     const double facing = std::copysign(std::max(std::abs(normal.z), least_facing), normal.z);
     const double by_right = -normal.x / facing;
     const double by_up = -normal.y / facing;
     // Places of samples are the middles of their squares.
-    for (int y = begin(at.y - radius - 0.5); y <= end(at.y + radius - 0.5, height_); ++y) {
+    for (int y = begin(at.y - radius - 0.5, height_); y <= end(at.y + radius - 0.5, height_); ++y) {
       const double up = at.y - (y + 0.5);
-      for (int x = begin(at.x - radius - 0.5); x <= end(at.x + radius - 0.5, width_); ++x) {
+      for (int x = begin(at.x - radius - 0.5, width_); x <= end(at.x + radius - 0.5, width_); ++x) {
         const double right = x + 0.5 - at.x;
         const double nearer = by_right * right + by_up * up;
         if (right * right + up * up + nearer * nearer > radius * radius) continue;
@@ -140,7 +147,8 @@ Vec3 seen(const Vec3& normal, const Camera& camera) {
 
 }  // namespace
 
-Picture draw(const Splats& splats, const Camera& camera, const RasterOptions& options) {
+Picture draw(const Splats& splats, const Camera& camera, const RasterOptions& options,
+             const Execution& execution) {
   require(options.width >= 1 && options.width <= most_pixels, "width", "in [1, 16384]",
           options.width);
   require(options.height >= 1 && options.height <= most_pixels, "height", "in [1, 16384]",
@@ -157,15 +165,19 @@ Picture draw(const Splats& splats, const Camera& camera, const RasterOptions& op
   const int n = options.samples;
   DepthBuffer buffer(n * options.width, n * options.height);
   const double scale = camera.scale * n;
+  const double largest = largest_disc * n * std::min(options.width, options.height);
+  const double radius = std::min(scale * splats.radius, largest);
   for (std::size_t i = 0; i < splats.points.size(); ++i) {
+    if (i % points_between_looks == 0) check_cancelled(execution);
     if (!is_finite(splats.points[i])) continue;
     const Vec3 from_centre = splats.points[i] - camera.centre;
     const Vec3 at{n * options.width / 2.0 + scale * dot(from_centre, camera.right),
                   n * options.height / 2.0 - scale * dot(from_centre, camera.up),
                   scale * dot(from_centre, camera.towards)};
+    if (!is_finite(at)) continue;
     const Vec3 normal = splats.normals.empty() ? Vec3{0, 0, 1} : seen(splats.normals[i], camera);
     const auto index = static_cast<std::uint32_t>(i);
-    buffer.disc(at, scale * splats.radius, normal, index);
+    buffer.disc(at, radius, normal, index);
     // However small, a point is seen.
     if (buffer.holds(at.x, at.y)) {
       buffer.put(static_cast<int>(at.x), static_cast<int>(at.y), at.z, index);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "deburr/execution.hpp"
 #include "deburr/vec3.hpp"
 #include "view/fields.hpp"
 #include "view/up.hpp"
@@ -52,8 +53,10 @@ struct Picture {
 
 /// Draws points with a depth buffer, on one thread and always the same. Of points at one depth the
 /// first is seen. Light falls from beside the viewer, on both sides of a surface.
+/// @param execution  says when to stop
 /// @throws std::invalid_argument  for spans of other lengths, or an option out of its range
+/// @throws Cancelled  when execution.cancelled says so
 [[nodiscard]] Picture draw(const Splats& splats, const Camera& camera,
-                           const RasterOptions& options = {});
+                           const RasterOptions& options = {}, const Execution& execution = {});
 
 }  // namespace deburr::view

@@ -8,6 +8,7 @@
 #include "deburr/error.hpp"
 #include "deburr/neighborhoods.hpp"
 #include "deburr/normals.hpp"
+#include "quantile.hpp"
 #include "require.hpp"
 #include "spatial_order.hpp"
 #include "view/colours.hpp"
@@ -77,6 +78,18 @@ std::vector<std::uint32_t> choose(const ShownCloud& shown, std::size_t most,
   return even_subsample(shown.cloud->points, finite, most, execution);
 }
 
+/// The median of the mean distances from points to their neighbours: a single point far away makes
+/// no difference.
+double usual_distance(Points points, const Neighborhoods& nearest) {
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double sum = 0;
+    for (const std::uint32_t j : nearest[i]) sum += norm(points[j] - points[i]);
+    if (!nearest[i].empty()) distances.push_back(sum / static_cast<double>(nearest[i].size()));
+  }
+  return quantile(std::move(distances), 0.5);
+}
+
 /// What the colours mean; without a map and patches for those that mean themselves.
 Legend legend_of(StillColour colour, const StillPicture& still) {
   if (colour == StillColour::Displacement) {
@@ -119,7 +132,7 @@ StillPicture draw_still(const Request& request, const StillOptions& options,
   }
 
   const Neighborhoods nearest = find_neighbors(points, {.max_count = options.neighbors}, execution);
-  const double spacing = mean_neighbor_distance(points, nearest, execution);
+  const double spacing = usual_distance(points, nearest);
   const std::vector<Vec3> normals = shown.cloud->normals.empty()
                                         ? estimate_normals(points, nearest, execution)
                                         : gather<Vec3>(shown.cloud->normals, chosen);
@@ -135,7 +148,7 @@ StillPicture draw_still(const Request& request, const StillOptions& options,
                         .normals = normals,
                         .colours = colours,
                         .radius = spacing > 0 ? disc_in_spacings * spacing : 1},
-                       camera, raster);
+                       camera, raster, execution);
   append(legend, strip, raster.background, still.picture);
   return still;
 }

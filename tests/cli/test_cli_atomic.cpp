@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -146,6 +147,51 @@ TEST_F(CliAtomic, OutputsEqualToTheInputAndLinks) {
     EXPECT_EQ(read_text("real." + format), read_text("out." + format)) << format;
   }
   EXPECT_EQ(files_in("."), std::ssize(formats) * 3);
+}
+
+/// The rights of a user without any, while this lives. Only root can give them up.
+class Nobody {
+ public:
+  static constexpr unsigned id = 65534;
+  Nobody() : is_nobody_(setegid(id) == 0 && seteuid(id) == 0) {}
+  ~Nobody() {
+    if (is_nobody_) (void)!(seteuid(0) == 0 && setegid(0) == 0);
+  }
+  Nobody(const Nobody&) = delete;
+  Nobody& operator=(const Nobody&) = delete;
+
+  [[nodiscard]] bool can_run_the_program() const {
+    return is_nobody_ && eaccess(DEBURR_PROGRAM, X_OK) == 0 && eaccess(".", W_OK) == 0;
+  }
+
+ private:
+  bool is_nobody_;
+};
+
+// In a folder like /tmp a file of somebody else can be written to, but nothing can take its place.
+// Who reads exit code 3 runs again: the input must not have been denoised by then.
+TEST_F(CliAtomic, TheInputIsReplacedLast) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can make a folder like that for others";
+  write_cloud("scan.ply", synthesize_part({.points = 300}).cloud);
+  const std::string before = read_text("scan.ply");
+  fs::create_directory("shared");
+  write_text("shared/r.json", "theirs");
+  for (const char* path : {".", "shared"}) ASSERT_EQ(chmod(path, 01777), 0);
+  ASSERT_EQ(chown("scan.ply", Nobody::id, Nobody::id), 0);
+  ASSERT_EQ(chmod("shared/r.json", 0666), 0);
+  ASSERT_EQ(chown("shared/r.json", 1000, 1000), 0);
+  const int out = open("messages", O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  {
+    const Nobody nobody;
+    if (!nobody.can_run_the_program()) GTEST_SKIP() << "others cannot run the program here";
+    EXPECT_EQ(wait_for_exit(start_program(
+                  {"denoise", "scan.ply", "scan.ply", "--report", "shared/r.json"}, out, out)),
+              3);
+  }
+  close(out);
+  EXPECT_THAT(read_text("messages"), HasSubstr("shared/r.json: cannot replace"));
+  EXPECT_EQ(read_text("scan.ply"), before);
+  EXPECT_EQ(read_text("shared/r.json"), "theirs");
 }
 
 /// A disk of 256 kB, where the test may have one.

@@ -119,6 +119,23 @@ TEST_F(CliStreams, TheFileUnderStdoutIsNoOutput) {
   EXPECT_EQ(read_cloud("out.ply").size(), 300U);
 }
 
+// A file is replaced by what came out of it, but nothing is appended to the file that is read.
+TEST_F(CliStreams, TheInputIsNotAppendedTo) {
+  write_cloud("scan.xyz", scan);
+  const std::string before = read_text("scan.xyz");
+  const int out = open("scan.xyz", O_WRONLY | O_APPEND | O_CLOEXEC);
+  const int err = open("messages", O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  for (const char* name : {"-", "/dev/stdout"}) {
+    EXPECT_EQ(
+        wait_for_exit(start_program({"denoise", "scan.xyz", name, "--format", "xyz"}, out, err)),
+        2);
+  }
+  close(err);
+  close(out);
+  EXPECT_THAT(read_text("messages"), HasSubstr("OUT - would overwrite IN scan.xyz"));
+  EXPECT_EQ(read_text("scan.xyz"), before);
+}
+
 TEST_F(CliStreams, StdinIsReadFromWhereItStands) {
   std::filesystem::create_symlink("/dev/stdin", "link");
   write_text("stream", "before\n" + read_text("scan.ply"));
