@@ -142,6 +142,13 @@ TEST(Obj, WritesNormalsBesideLinesThatGoOn) {
   EXPECT_EQ(written_as(dir, cloud, "a.obj"), "v 1 2 3\nvn 0 0 1\n" + lines);
 }
 
+TEST(Obj, TakesAllReturnsForTheEndOfALine) {
+  const TempDir dir;
+  const PointCloud cloud = parsed("# a\r\r\nv 1 2 3\r\r\n#\r\r");
+  EXPECT_THAT(cloud.layout.comments, ElementsAre("a", ""));
+  EXPECT_EQ(written_as(dir, cloud, "a.obj"), "# a\n#\nv 1 2 3\n");
+}
+
 TEST(Obj, NamesTheLineOfWhatIsWrong) {
   EXPECT_EQ(error_of("v 1 2 3\nv 1 2\n"), "line 2: the line ends before z");
   EXPECT_EQ(error_of("v 1 2 3\nv 1 2 3x\n"), "line 2: '3x' is no value for z");

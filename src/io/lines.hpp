@@ -62,7 +62,8 @@ class Lines {
       if (mark != std::string_view::npos && offset_ + mark + 1 != newline_) end = offset_ + mark;
     }
     raw_ = text_.substr(offset_, end - offset_);
-    if (raw_.ends_with('\r')) raw_.remove_suffix(1);
+    // More than one comes of line ends that were converted twice.
+    while (raw_.ends_with('\r')) raw_.remove_suffix(1);
     line_ = trim(raw_);
     offset_ = end + 1;
     ++number_;
