@@ -149,7 +149,7 @@ TEST(AtomicFile, KeepsPermissionsOrTakesThoseOfNewFiles) {
 }
 
 TEST(AtomicFile, KeepsTheOwner) {
-  if (::geteuid() != 0) GTEST_SKIP() << "only root can write a file of another user as theirs";
+  if (::geteuid() != 0) GTEST_SKIP() << "NOT TESTED: only root can write files of others as theirs";
   const TempDir dir;
   put(dir / "a", "old");
   ASSERT_EQ(::chown((dir / "a").c_str(), 12345, 54321), 0);

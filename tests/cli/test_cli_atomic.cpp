@@ -171,9 +171,9 @@ class Nobody {
 // In a folder like /tmp a file of somebody else can be written to, but nothing can take its place.
 // Who reads exit code 3 runs again: the input must not have been denoised by then.
 TEST_F(CliAtomic, TheInputIsReplacedLast) {
-  if (geteuid() != 0) GTEST_SKIP() << "only root can make a folder like that for others";
+  if (geteuid() != 0) GTEST_SKIP() << "NOT TESTED: only root can make a folder like that";
 #ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "the sanitizer cannot look for leaks in a program that gave up its rights";
+  GTEST_SKIP() << "NOT TESTED: the sanitizer finds no leaks in programs that gave up rights";
 #endif
   write_cloud("scan.ply", synthesize_part({.points = 300}).cloud);
   const std::string before = read_text("scan.ply");
@@ -186,7 +186,8 @@ TEST_F(CliAtomic, TheInputIsReplacedLast) {
   const int out = open("messages", O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
   {
     const Nobody nobody;
-    if (!nobody.can_run_the_program()) GTEST_SKIP() << "others cannot run the program here";
+    if (!nobody.can_run_the_program())
+      GTEST_SKIP() << "NOT TESTED: others cannot run the program here";
     EXPECT_EQ(wait_for_exit(start_program(
                   {"denoise", "scan.ply", "scan.ply", "--report", "shared/r.json"}, out, out)),
               3);
