@@ -17,25 +17,29 @@
 namespace deburr {
 namespace {
 
-/// Side of a node's cell where points are merged, in standard deviations of the noise.
-constexpr double node_cell = 1.0;
+/// Side of a node's cell where points are merged, in spacings, and at least the noise.
+constexpr double node_cell = 2;
 
 /// Points, or parts of points, as nodes.
 SurfaceNodes make_nodes(const AutomaticInput& input, std::vector<Vec3> measured,
                         std::vector<Vec3> places, std::vector<Vec3> normals,
                         std::vector<double> trust, const Execution& execution) {
   if (is_dense(input)) {
-    return merge_into_cells(measured, places, normals, {}, trust, node_cell * input.noise, 1,
-                            execution);
+    const double cell = std::max(input.noise, node_cell * input.spacing);
+    return merge_into_cells(measured, places, normals, {}, trust, cell, 1, execution);
   }
   return nodes_of_points(std::move(measured), std::move(places), std::move(normals),
                          std::move(trust));
 }
 
-/// What is left to say of nodes when their levels are gone.
+/// What is to be said of nodes when their levels are gone.
 FittedNodes describe(const AutomaticInput& input, std::size_t points, SurfaceNodes& nodes) {
   const double per_node = static_cast<double>(points) / static_cast<double>(nodes.size());
-  return {std::move(nodes.of), nodes.size(), input.spacing * std::sqrt(per_node)};
+  FittedNodes fitted;
+  fitted.of = std::move(nodes.of);
+  fitted.count = nodes.size();
+  fitted.spacing = input.spacing * std::sqrt(per_node);
+  return fitted;
 }
 
 /// Of each node, whether any of its points is one of some.
@@ -68,15 +72,20 @@ Fitted survey_points(const AutomaticInput& input, AutomaticResult& pilot, ScaleS
   const double spacing = fitted.nodes.spacing;
   NodeLevels levels(std::move(nodes), spacing, input.noise,
                     sub_execution(execution, "fits", 0, 0.1));
-  fitted.steps = fit_steps(input.noise / spacing, input.parts);
+  fitted.steps = fit_steps(input.noise / spacing, !lent, input.parts);
   Survey survey = survey_nodes(levels, input.noise, fitted.steps.survey, input.parts,
                                sub_execution(execution, "fits", 0.1, 1));
   fitted.sheets = std::move(survey.sheets);
   scales = std::move(survey.scales);
+  nodes = std::move(levels).take_nodes();
   if (lent) {
-    nodes = std::move(levels).take_nodes();
     pilot.points = std::move(nodes.places);
     pilot.normals = std::move(nodes.normals);
+  } else if (input.parts.second_pass) {
+    // What points land at here is not the result, so those of a node may do so together.
+    fitted.nodes.measured = std::move(nodes.measured);
+    fitted.nodes.places = std::move(nodes.places);
+    fitted.nodes.normals = std::move(nodes.normals);
   }
   return fitted;
 }
@@ -136,7 +145,7 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
       "fits", [&] { return survey_points(input, result, survey, part("fits", 0.4, 0.6)); });
   Shares shares;
   clock.time("landing", [&] {
-    land(input, first.nodes, std::move(first.sheets), {first.steps.survey, {}}, result, &shares,
+    land(input, first.nodes, std::move(first.sheets), {first.steps.survey, first.steps.around, {}}, result, &shares,
          part("landing", 0.6, 0.65));
     return 0;
   });
@@ -148,7 +157,7 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
     });
     survey = {};
     clock.time("landing", [&] {
-      land(input, second.nodes, std::move(second.sheets), {second.steps.even, by_edge}, result,
+      land(input, second.nodes, std::move(second.sheets), {second.steps.even, second.steps.around, by_edge}, result,
            nullptr, part("landing", 0.9, 1));
       return 0;
     });

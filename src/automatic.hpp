@@ -24,7 +24,7 @@ struct AutomaticInput {
 
 /// Whether points are merged into nodes: from here on neighbourhoods as wide as the noise hold more
 /// of them than their number is worth.
-inline bool is_dense(const AutomaticInput& input) { return input.noise > 1.3 * input.spacing; }
+inline bool is_dense(const AutomaticInput& input) { return input.noise > 0.5 * input.spacing; }
 
 struct AutomaticResult {
   std::vector<Vec3> points;

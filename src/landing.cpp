@@ -11,12 +11,12 @@
 #include "parallel.hpp"
 #include "sheet_blend.hpp"
 #include "surer_sheet.hpp"
+#include "unit.hpp"
 
 namespace deburr {
 namespace {
 
-/// Nodes around a point whose sheets, as far as they have one, its landing is made of.
-constexpr std::size_t around_nodes = 100;
+/// Sheets around a point that its landing is made of.
 constexpr std::size_t fewest_sheets = 20;
 constexpr std::size_t most_sheets_around = 60;
 constexpr std::size_t edge_sheets = 50;  ///< by an edge
@@ -36,17 +36,22 @@ struct Block {
   std::vector<EdgePoint> edges;
 };
 
+Landing on_one_sheet(const Vec3& place, const Vec3& normal) {
+  Landing landing{place, normal};
+  landing.sheets[0] = {place, normal};
+  return landing;
+}
+
 /// One landing of all points.
 class Lander {
  public:
   Lander(const AutomaticInput& input, const FittedNodes& nodes, const SheetSet& set,
          const SheetsAround& around)
       : input_(input),
-        nodes_(nodes),
         set_(set),
         sheets_(set.sheets()),
         by_edge_(around.by_edge),
-        blended_(std::clamp(around_nodes / around.step, fewest_sheets, most_sheets_around)),
+        blended_(std::clamp(around.nodes / around.step, fewest_sheets, most_sheets_around)),
         scales_{input.noise, nodes.spacing},
         finder_(set.sheets(), scales_, input.spacing) {}
 
@@ -57,11 +62,10 @@ class Lander {
     std::vector<double> variances;
   };
 
-  /// Where point i comes to lie from where it was taken to lie so far.
-  Landing land(std::size_t i, const Vec3& place, const Vec3& normal, Scratch& scratch) const {
-    const Vec3& point = input_.points[i];
+  /// Where a point of a node comes to lie from where it was taken to lie so far.
+  Landing land(const Vec3& point, std::uint32_t node, const Vec3& place, const Vec3& normal,
+               Scratch& scratch) const {
     auto& near = scratch.near;
-    const std::uint32_t node = nodes_.of[i];
     if (!by_edge_.empty() && by_edge_[node] != 0) {
       scratch.of_all.find(set_.all(), place, edge_sheets, near);
     } else {
@@ -83,20 +87,48 @@ class Lander {
   }
 
  private:
-  static Landing on_one_sheet(const Vec3& place, const Vec3& normal) {
-    Landing landing{place, normal};
-    landing.sheets[0] = {place, normal};
-    return landing;
-  }
-
   const AutomaticInput& input_;
-  const FittedNodes& nodes_;
   const SheetSet& set_;
   std::span<const Sheet> sheets_;
   std::span<const std::uint8_t> by_edge_;
   std::size_t blended_;
   BlendScales scales_;
   CreaseFinder finder_;
+};
+
+/// Nodes whose points land together: beside where the mean of them does. Only far from edges, where
+/// no point is of two sheets.
+class Together {
+ public:
+  Together(const FittedNodes& nodes, const Lander& lander, const Execution& execution)
+      : measured_(nodes.measured), feet_(nodes.places.size()), normals_(nodes.places.size()) {
+    parallel_blocks(feet_.size(), execution, [&](std::size_t begin, std::size_t end) {
+      Lander::Scratch scratch;
+      scratch.of_even.expect(Points(nodes.places).subspan(begin, end - begin));
+      for (std::size_t k = begin; k < end; ++k) {
+        const Landing landing = lander.land(nodes.measured[k], static_cast<std::uint32_t>(k),
+                                            nodes.places[k], nodes.normals[k], scratch);
+        if (landing.label != Feature::Surface || landing.sheet_count > 1) continue;
+        feet_[k] = landing.place;
+        normals_[k] = landing.normal;
+      }
+    });
+  }
+
+  /// Whether the points of a node do.
+  [[nodiscard]] bool land(std::uint32_t node) const {
+    return !normals_.empty() && !is_zero(normals_[node]);
+  }
+  [[nodiscard]] Landing land(const Vec3& point, std::uint32_t node) const {
+    const Vec3& n = normals_[node];
+    const Vec3 within = point - measured_[node];
+    return on_one_sheet(feet_[node] + within - dot(within, n) * n, n);
+  }
+
+ private:
+  Points measured_;
+  std::vector<Vec3> feet_;
+  std::vector<Vec3> normals_;  ///< zero where points land by themselves
 };
 
 /// No farther from where it was measured than the bound.
@@ -150,6 +182,7 @@ void land(const AutomaticInput& input, const FittedNodes& nodes, NodeSheets shee
   std::vector<Block> blocks((count + block_size - 1) / block_size);
   const SheetSet set(std::move(sheets), nodes.count, execution);
   const Lander lander(input, nodes, set, around);
+  const Together together(nodes, lander, execution);
   parallel_blocks(count, execution, [&](std::size_t begin, std::size_t end) {
     Lander::Scratch scratch;
     scratch.of_even.expect(Points(result.points).subspan(begin, end - begin));
@@ -157,7 +190,11 @@ void land(const AutomaticInput& input, const FittedNodes& nodes, NodeSheets shee
     Block& block = blocks[begin / block_size];
     for (std::size_t i = begin; i < end; ++i) {
       const auto point = static_cast<std::uint32_t>(i);
-      const Landing landing = lander.land(i, result.points[i], result.normals[i], scratch);
+      const std::uint32_t node = nodes.of[i];
+      const Landing landing =
+          together.land(node)
+              ? together.land(input.points[i], node)
+              : lander.land(input.points[i], node, result.points[i], result.normals[i], scratch);
       result.points[i] = bounded(landing.place, input.points[i], input.max_move);
       result.normals[i] = landing.normal;
       result.labels[i] = landing.label;

@@ -24,7 +24,8 @@ struct Shares {
 
 /// How many sheets around a point its landing is made of.
 struct SheetsAround {
-  std::size_t step = 1;  ///< of the even choice: one of so many nodes has a sheet
+  std::size_t step = 1;   ///< of the even choice: one of so many nodes has a sheet
+  std::size_t nodes = 1;  ///< around a point whose sheets, as far as they have one, it lands on
   /// Of each node, whether its points look at all sheets; empty if none does.
   std::span<const std::uint8_t> by_edge;
 };
@@ -34,6 +35,9 @@ struct FittedNodes {
   std::vector<std::uint32_t> of;  ///< the node of each point of the input
   std::size_t count = 0;
   double spacing = 0;
+  /// Where the points of each were measured and taken to lie in the mean, for them to land
+  /// together; empty for each to land by itself.
+  std::vector<Vec3> measured, places, normals;
 };
 
 /// Lands every point on the sheets around it: sets its place, its normal and its label.

@@ -85,12 +85,14 @@ std::vector<std::uint32_t> further_nodes(const SurfaceNodes& nodes,
 
 }  // namespace
 
-FitSteps fit_steps(double ratio, const AutomaticParts& parts) {
+FitSteps fit_steps(double ratio, bool merged, const AutomaticParts& parts) {
   // Who leaves out what takes the place of a missing sheet needs that of every node.
-  if (!parts.surer_sheet || !parts.blend) return {1, 1, 1};
-  if (ratio < 0.35) return {2, 1, 1};
-  if (ratio < 0.6) return {2, 2, 1};
-  return {3, 8, 2};
+  if (!parts.surer_sheet || !parts.blend) return {1, 1, 1, 100};
+  const bool little = ratio < 0.35;
+  if (!merged) return {2, little ? 1U : 2U, 1, 100};
+  if (little) return {2, 2, 1, 50};
+  if (ratio < 0.6) return {3, 4, 1, 50};
+  return {3, 8, 2, 100};
 }
 
 Survey survey_nodes(const NodeLevels& levels, double noise, std::size_t step,

@@ -19,11 +19,13 @@ struct FitSteps {
   std::size_t survey;  ///< in the first pass
   std::size_t even;    ///< in the second
   std::size_t edges;   ///< in the second, by edges
+  std::size_t around;  ///< nodes around a point whose sheets, as far as they have one, it lands on
 };
 
 /// The more nodes the noise makes the smallest fits need, the more they overlap.
 /// @param ratio  standard deviation of the noise, in spacings of the nodes
-FitSteps fit_steps(double ratio, const AutomaticParts& parts);
+/// @param merged  whether nodes are of several points
+FitSteps fit_steps(double ratio, bool merged, const AutomaticParts& parts);
 
 /// The fits of the first pass.
 struct Survey {

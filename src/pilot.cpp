@@ -26,7 +26,7 @@ struct Rounds {
   int count;
   double step;
 };
-constexpr Rounds of_cells{5, 0.5};
+constexpr Rounds of_cells{4, 0.5};
 constexpr Rounds of_points{2, 0.8};
 
 /// Scale of the weights: so many spacings and so many standard deviations of the noise.
@@ -40,14 +40,10 @@ constexpr double fewest_neighbors = 18;
 constexpr double neighbors_per_noise = 40;  ///< for each square of noise over spacing
 constexpr std::size_t graph_neighbors = 24;
 
-/// From this noise on, in spacings, points that no normals are known of are merged: the weights are
-/// wider than a cell then.
-constexpr double merge_noise = 0.55;
-
-bool is_merged(const AutomaticInput& input) {
-  if (is_dense(input)) return true;
-  return input.noise > merge_noise * input.spacing && std::ranges::all_of(input.normals, is_zero);
-}
+/// Side of a cell where points are merged: so many spacings and so many standard deviations of the
+/// noise. The weights are wider.
+constexpr double cell_spacings = 1.4;
+constexpr double cell_noises = 1.2;
 
 std::vector<Vec3> first_normals(Points points, Normals given, double ratio,
                                 const Execution& execution) {
@@ -70,11 +66,11 @@ std::vector<Vec3> first_normals(Points points, Normals given, double ratio,
 }  // namespace
 
 Pilot find_pilot(const AutomaticInput& input, const Execution& execution) {
-  const bool merge = is_merged(input);
+  const bool merge = is_dense(input);
   SurfaceNodes nodes;
   if (merge) {
-    nodes = merge_into_cells(input.points, input.points, {}, {}, {}, input.noise + input.spacing, 1,
-                             execution);
+    const double cell = cell_spacings * input.spacing + cell_noises * input.noise;
+    nodes = merge_into_cells(input.points, input.points, {}, {}, {}, cell, 1, execution);
     for (auto* unread : {&nodes.weights, &nodes.trust}) *unread = {};
     nodes.normals = {};
   }

@@ -10,25 +10,23 @@
 #include <utility>
 
 #include "box.hpp"
+#include "morton.hpp"
 #include "parallel.hpp"
 #include "unit.hpp"
 
 namespace deburr {
 namespace {
 
-/// Cells along one side of the box: more would not fit into the numbers that follow.
-constexpr double most_cells = 0x1p31;
-
 struct Key {
-  std::uint32_t x, y, z;  ///< of the cell
-  std::uint32_t side;     ///< where the normal points
+  std::uint64_t cell;  ///< along a curve in space, so that nodes stand in spatial order too
+  std::uint32_t side;  ///< where the normal points
   std::uint32_t index;
 
   friend bool operator<(const Key& a, const Key& b) {
-    return std::tie(a.x, a.y, a.z, a.side, a.index) < std::tie(b.x, b.y, b.z, b.side, b.index);
+    return std::tie(a.cell, a.side, a.index) < std::tie(b.cell, b.side, b.index);
   }
   [[nodiscard]] bool same_node(const Key& other) const {
-    return x == other.x && y == other.y && z == other.z && side == other.side;
+    return cell == other.cell && side == other.side;
   }
 };
 
@@ -72,37 +70,39 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
   const Vec3 extent = box.high - box.low;
   const double longest = std::max({extent.x, extent.y, extent.z});
   // A whole number of cells: a cell size that differs in its last bits must not move the borders.
-  const double count = std::clamp(std::ceil(longest / cell), 1.0, most_cells);
+  const double count = std::clamp(std::ceil(longest / cell), 1.0, double{morton_cells});
   const double per_length = longest > 0 ? count / longest : 0;
   const auto along = [&](double v, double low) {
     // The far end of the box belongs to the last cell.
-    return static_cast<std::uint32_t>(std::min((v - low) * per_length, count - 1));
+    return static_cast<std::uint64_t>(std::min((v - low) * per_length, count - 1));
   };
   std::vector<Key> keys(places.size());
-  for (std::uint32_t i = 0; i < keys.size(); ++i) {
+  parallel_for(keys.size(), execution, [&](std::size_t i) {
     const Vec3& p = places[i];
-    keys[i] = {along(p.x, box.low.x), along(p.y, box.low.y), along(p.z, box.low.z),
-               normals.empty() ? 0 : part_of(normals[i], bins), i};
-  }
+    keys[i] = {morton_code(along(p.x, box.low.x), along(p.y, box.low.y), along(p.z, box.low.z)),
+               normals.empty() ? 0 : part_of(normals[i], bins), static_cast<std::uint32_t>(i)};
+  });
   parallel_sort(keys, execution);
-
-  std::size_t all = 0;
-  for (std::size_t k = 0; k < keys.size(); ++k) {
-    if (k == 0 || !keys[k].same_node(keys[k - 1])) ++all;
+  std::vector<std::uint32_t> begins;
+  for (std::uint32_t k = 0; k < keys.size(); ++k) {
+    if (k == 0 || !keys[k].same_node(keys[k - 1])) begins.push_back(k);
   }
+
   SurfaceNodes nodes;
   nodes.of.resize(places.size());
-  for (auto* column : {&nodes.measured, &nodes.places, &nodes.normals}) column->reserve(all);
-  for (auto* column : {&nodes.weights, &nodes.trust}) column->reserve(all);
-  for (std::size_t from = 0; from < keys.size();) {
+  for (auto* column : {&nodes.measured, &nodes.places, &nodes.normals}) {
+    column->resize(begins.size());
+  }
+  for (auto* column : {&nodes.weights, &nodes.trust}) column->resize(begins.size());
+  parallel_for(begins.size(), execution, [&](std::size_t node) {
     Vec3 measured_sum;
     Vec3 place_sum;
     Vec3 normal_sum;
     double total = 0;
     double spread = 0;
-    std::size_t to = from;
-    for (; to < keys.size() && keys[to].same_node(keys[from]); ++to) {
-      const std::uint32_t i = keys[to].index;
+    const std::size_t end = node + 1 < begins.size() ? begins[node + 1] : keys.size();
+    for (std::size_t k = begins[node]; k < end; ++k) {
+      const std::uint32_t i = keys[k].index;
       const double t = trust.empty() ? 1 : trust[i];
       const double w = t * (weights.empty() ? 1 : weights[i]);
       measured_sum += w * measured[i];
@@ -110,16 +110,15 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
       if (!normals.empty()) normal_sum += w * normals[i];
       total += w;
       spread += t * w;
-      nodes.of[i] = static_cast<std::uint32_t>(nodes.size());
+      nodes.of[i] = static_cast<std::uint32_t>(node);
     }
-    nodes.measured.push_back((1 / total) * measured_sum);
-    nodes.places.push_back((1 / total) * place_sum);
-    nodes.normals.push_back(is_zero(normal_sum) ? Vec3{} : unit(normal_sum));
+    nodes.measured[node] = (1 / total) * measured_sum;
+    nodes.places[node] = (1 / total) * place_sum;
+    if (!is_zero(normal_sum)) nodes.normals[node] = unit(normal_sum);
     // As many points of full trust have a mean of the same variance.
-    nodes.weights.push_back(total * total / spread);
-    nodes.trust.push_back(spread / total);
-    from = to;
-  }
+    nodes.weights[node] = total * total / spread;
+    nodes.trust[node] = spread / total;
+  });
   return nodes;
 }
 

@@ -47,7 +47,7 @@ struct Bench {
   [[nodiscard]] std::size_t size() const { return measured.size(); }
   Shares land(AutomaticResult& result, double max_move = 10, int threads = 1) const {
     const AutomaticInput input{measured, truth.normals, sigma, 1, max_move};
-    FittedNodes nodes{std::vector<std::uint32_t>(size()), size(), 1};
+    FittedNodes nodes{std::vector<std::uint32_t>(size()), size(), 1, {}, {}, {}};
     std::iota(nodes.of.begin(), nodes.of.end(), 0U);
     result.points = truth.points;
     result.normals = truth.normals;
@@ -63,7 +63,7 @@ struct Bench {
     }
     const std::vector<std::uint8_t> all(by_edge ? size() : 0, 1);
     Shares shares;
-    deburr::land(input, nodes, std::move(fitted), {step, all}, result, &shares,
+    deburr::land(input, nodes, std::move(fitted), {step, 100, all}, result, &shares,
                  {.threads = threads});
     return shares;
   }

@@ -70,7 +70,7 @@ TEST(NodeFits, SurveyOneOfSoManyNodes) {
 
 TEST(NodeFits, AreAtAllNodesByEdgesAndAtAnEvenChoiceElsewhere) {
   const Flat flat;
-  const FitSteps steps{3, 8, 2};
+  const FitSteps steps{3, 8, 2, 100};
   const Survey survey = survey_nodes(flat.levels, sigma, steps.survey, {}, {});
   std::vector<std::uint8_t> by_edge(flat.truth.size());
   for (std::size_t i = 0; i < by_edge.size(); ++i) by_edge[i] = flat.truth[i].x > 0 ? 1 : 0;
@@ -92,8 +92,8 @@ TEST(NodeFits, AreAtAllNodesByEdgesAndAtAnEvenChoiceElsewhere) {
 }
 
 TEST(NodeFits, AreFewerWhereNoiseMakesThemOverlap) {
-  const FitSteps few = fit_steps(0.2, {});
-  const FitSteps many = fit_steps(1, {});
+  const FitSteps few = fit_steps(0.2, false, {});
+  const FitSteps many = fit_steps(1, true, {});
   EXPECT_EQ(few.even, 1U);
   EXPECT_GT(many.survey, few.survey);
   EXPECT_GT(many.even, many.survey);
@@ -101,7 +101,7 @@ TEST(NodeFits, AreFewerWhereNoiseMakesThemOverlap) {
   // Without what stands in for a missing sheet there must be one at every node.
   for (const AutomaticParts& parts :
        {AutomaticParts{.surer_sheet = false}, AutomaticParts{.blend = false}}) {
-    const FitSteps all = fit_steps(1, parts);
+    const FitSteps all = fit_steps(1, true, parts);
     EXPECT_EQ(all.survey, 1U);
     EXPECT_EQ(all.even, 1U);
     EXPECT_EQ(all.edges, 1U);
@@ -144,7 +144,7 @@ TEST(NodeFits, LeaveOutWhatCannotBeFitted) {
   EXPECT_EQ(survey.sheets.nodes.size(), 286U);  // without 0 and 12
   EXPECT_EQ(survey.sheets.even, 286U);
   const std::vector<std::uint8_t> everywhere(576, 1);
-  const NodeSheets all = fit_nodes(survey.scales, levels, everywhere, sigma, {2, 3, 1}, {}, {});
+  const NodeSheets all = fit_nodes(survey.scales, levels, everywhere, sigma, {2, 3, 1, 100}, {}, {});
   EXPECT_EQ(all.even, 190U);  // of 192
   for (std::size_t k = 0; k < all.nodes.size(); ++k) {
     EXPECT_EQ(all.nodes[k] % 3 == 0, k < all.even);
