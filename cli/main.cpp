@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fcntl.h>
 #include <fmt/format.h>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -23,6 +20,7 @@
 #include "deburr/error.hpp"
 #include "deburr/version.hpp"
 #include "interrupt.hpp"
+#include "memory.hpp"
 
 namespace deburr::cli {
 namespace {
@@ -104,15 +102,6 @@ int guarded_run(int argc, const char* const* argv) {
   } catch (const std::exception& error) {
     return fail(other, error.what());
   }
-}
-
-/// The C library keeps what is freed for itself, since it is quickest, and a quarter of the memory
-/// of a run with it. Columns are large, so that of theirs can go back to the system each time.
-void give_memory_back() {
-#ifdef __GLIBC__
-  constexpr int large = 1 << 18;  // bytes
-  (void)mallopt(M_MMAP_THRESHOLD, large);
-#endif
 }
 
 }  // namespace

@@ -114,6 +114,9 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
     }
     nodes.measured[node] = (1 / total) * measured_sum;
     nodes.places[node] = (1 / total) * place_sum;
+    // Parts of one point on several sheets may lie at one place; rounding must not part them.
+    const std::uint32_t first = keys[begins[node]].index;
+    if (end - begins[node] == 1) nodes.places[node] = places[first];
     if (!is_zero(normal_sum)) nodes.normals[node] = unit(normal_sum);
     // As many points of full trust have a mean of the same variance.
     nodes.weights[node] = total * total / spread;
