@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deburr/normals.hpp"
 
+#include <array>
 #include <ranges>
 
+#include "lane_spectrum.hpp"
 #include "lanes.hpp"
 #include "parallel.hpp"
 #include "require.hpp"
@@ -12,23 +14,65 @@
 
 namespace deburr {
 
+namespace {
+
+/// Matrices of points one after the other, whose axes are found for eight points at once.
+struct AxisBatch {
+  LanesSym3 matrices;
+  std::array<std::size_t, lane_count> points{};
+  std::size_t count = 0;
+
+  void add(std::size_t point, const Sym3& matrix) {
+    set_lane(matrices, count, matrix);
+    points[count++] = point;
+  }
+};
+
+/// Of each matrix, the eigenvector of the smallest eigenvalue.
+DEBURR_MULTIVERSION
+void find_least_axes(const AxisBatch& batch, std::array<Vec3, lane_count>& axes) {
+  const LanesSpectrum s = spectrum(batch.matrices, 0);
+  for (std::size_t l = 0; l < lane_count; ++l) axes[l] = lane(s.vectors[2], l);
+}
+
+/// Calls take(i, axis) for the points i in [0, n) for which give(i, matrix) fills in a matrix and
+/// returns true.
+template <typename Give, typename Take>
+void for_least_axes(std::size_t n, const Execution& execution, const Give& give, const Take& take) {
+  parallel_blocks(n, execution, [&](std::size_t begin, std::size_t end) {
+    AxisBatch batch;
+    std::array<Vec3, lane_count> axes;
+    for (std::size_t i = begin; i < end; ++i) {
+      Sym3 matrix;
+      if (give(i, matrix)) batch.add(i, matrix);
+      if (batch.count < (i + 1 == end ? 1 : lane_count)) continue;
+      find_least_axes(batch, axes);
+      for (std::size_t l = 0; l < batch.count; ++l) take(batch.points[l], axes[l]);
+      batch.count = 0;
+    }
+  });
+}
+
+}  // namespace
+
 std::vector<Vec3> estimate_normals(Points points, const Neighborhoods& neighborhoods,
                                    const Execution& execution) {
   require_size("neighborhoods", neighborhoods.size(), points.size());
   std::vector<Vec3> normals(points.size());
-  parallel_for(points.size(), execution, [&](std::size_t i) {
+  const auto covariance = [&](std::size_t i, Sym3& matrix) {
     const auto neighbors = neighborhoods[i];
-    if (neighbors.size() < 2) return;
+    if (neighbors.size() < 2) return false;
     // Centred on the point first: raw coordinates would lose the covariance at large offsets.
     Vec3 mean;
     for (const std::uint32_t j : neighbors | std::views::reverse) mean += points[j] - points[i];
     mean = (1.0 / static_cast<double>(neighbors.size())) * mean;
-    Sym3 covariance;
     for (const std::uint32_t j : neighbors | std::views::reverse) {
-      covariance.add_outer(1, points[j] - points[i] - mean);
+      matrix.add_outer(1, points[j] - points[i] - mean);
     }
-    if (covariance.trace() > 0) normals[i] = spectrum(covariance).vectors[2];
-  });
+    return matrix.trace() > 0;
+  };
+  for_least_axes(points.size(), execution, covariance,
+                 [&](std::size_t i, const Vec3& axis) { normals[i] = axis; });
   return normals;
 }
 
@@ -81,18 +125,19 @@ std::vector<Vec3> refit_normals(Points points, Normals normals, const Neighborho
           options.blend);
 
   std::vector<Vec3> refitted(normals.begin(), normals.end());
-  parallel_for(points.size(), execution, [&](std::size_t i) {
-    if (is_zero(normals[i])) return;
+  const auto covariance = [&](std::size_t i, Sym3& matrix) {
+    if (is_zero(normals[i])) return false;
     WeightedMoments moments;
     add_weighted_moments(i, points, normals, neighborhoods[i], options, moments);
-    if (moments.count < 2) return;
+    if (moments.count < 2) return false;
     // The point itself takes part with weight 1, at offset 0.
-    Sym3 covariance = moments.outer;
-    covariance.add_outer(-1 / (moments.total + 1), moments.sum);
-    if (!(covariance.trace() > 0)) return;
-    const Vec3 fitted = spectrum(covariance).vectors[2];
-    const double side = dot(fitted, normals[i]) < 0 ? -1 : 1;
-    refitted[i] = unit(options.blend * side * fitted + (1 - options.blend) * normals[i]);
+    matrix = moments.outer;
+    matrix.add_outer(-1 / (moments.total + 1), moments.sum);
+    return matrix.trace() > 0;
+  };
+  for_least_axes(points.size(), execution, covariance, [&](std::size_t i, const Vec3& axis) {
+    const double side = dot(axis, normals[i]) < 0 ? -1 : 1;
+    refitted[i] = unit(options.blend * side * axis + (1 - options.blend) * normals[i]);
   });
   return refitted;
 }
