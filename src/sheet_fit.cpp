@@ -50,27 +50,6 @@ struct SheetFitter::Run {
   double high = std::numeric_limits<double>::infinity();
 };
 
-void SheetFitter::gather(Run& run, std::size_t level) const {
-  const SurfaceNodes& nodes = levels_.nodes(level);
-  const Frame& frame = run.sheet.frame;
-  auto& samples = run.scratch.samples;
-  samples.clear();
-  const auto add = [&](std::uint32_t j, double square) {
-    const Vec3 place = frame.local(nodes.places[j]);
-    const Vec3& n = nodes.normals[j];
-    samples.add({place.x,
-                 place.y,
-                 dot(nodes.measured[j] - frame.origin, frame.w),
-                 place.z,
-                 nodes.weights[j],
-                 nodes.trust[j],
-                 square,
-                 {dot(n, frame.u), dot(n, frame.v), dot(n, frame.w)}});
-  };
-  if (level == 0) add(run.node, 0);
-  for (const Found& f : run.scratch.found) add(f.index, f.squared_distance);
-}
-
 Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& choice,
                         ScaleCurve* curve) const {
   Run run{i, scratch, choice.noise, {}};
@@ -80,8 +59,9 @@ Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& ch
   const double variance = run.noise * run.noise;
   const double reach = height_reach(run.noise, levels_.spacing());
 
-  scratch.nearest[0].find(levels_.tree(0), fine.places[i], fine_neighbors, scratch.found, i);
-  gather(run, 0);
+  // The node itself is the nearest.
+  scratch.nearest[0].find(levels_.tree(0), fine.places[i], fine_neighbors + 1, scratch.found);
+  scratch.samples.start(fine, sheet.frame, scratch.found);
   if (scratch.samples.size() < 2) return sheet;
   const double ratio = run.noise / levels_.spacing();
   const auto first = static_cast<std::size_t>(std::clamp(
@@ -99,7 +79,7 @@ Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& ch
       scratch.nearest[level].find(levels_.tree(level), sheet.frame.origin, coarse_neighbors,
                                   scratch.found);
       if (scratch.found.empty() || scratch.found.back().squared_distance < area) break;
-      gather(run, level);
+      scratch.samples.start(levels_.nodes(level), sheet.frame, scratch.found);
     }
     SheetSamples& samples = scratch.samples;
     const double farthest = samples.square(samples.size() - 1);
@@ -113,22 +93,23 @@ Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& ch
       scale = next;
       continue;
     }
-    const auto [plane, quadric, curvature] = sums.solve();
-    const double bend = curvature / variance;
+    const WeightedQuadric::Solver solver = sums.solve();
+    const double bend = solver.curvature() / variance;
     const float pooled = choice.curvature[scale];
     const bool curved = curve != nullptr || pooled < 0
                             ? bend > curved_unknown
                             : pooled > curved_together || bend > curved_alone;
-    const auto& best = curved ? quadric : plane;
+    const WeightedQuadric::Solution best = curved ? solver.quadric() : solver.plane();
+    const double pulled = samples.variance(best.pull);
     if (curve != nullptr) {
       curve->residual[scale] = static_cast<float>(best.residual / variance);
       curve->freedom[scale] = static_cast<float>(best.freedom);
-      curve->variance[scale] = static_cast<float>(best.variance);
+      curve->variance[scale] = static_cast<float>(pulled);
       curve->curvature[scale] = static_cast<float>(bend);
       if (sheet.valid && best.residual > survey_excess * variance) break;
     } else if (parts_.guards) {
       const double height = best.surface.c[0];
-      const double deviation = agreement * run.noise * std::sqrt(best.variance);
+      const double deviation = agreement * run.noise * std::sqrt(pulled);
       const double low = std::max(run.low, height - deviation);
       const double high = std::min(run.high, height + deviation);
       const double most = 1 + (coarse ? coarse_excess : excess) * std::sqrt(2 / best.freedom);
@@ -137,7 +118,7 @@ Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& ch
       run.high = high;
     }
     sheet.height = best.surface;
-    sheet.variance = std::max(best.variance, std::numeric_limits<double>::min()) * variance;
+    sheet.variance = std::max(pulled, std::numeric_limits<double>::min()) * variance;
     sheet.radius = std::sqrt(area);
     sheet.valid = true;
     scale = next;

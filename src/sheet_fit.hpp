@@ -66,7 +66,6 @@ class SheetFitter {
   struct Run;
   [[nodiscard]] Sheet grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& choice,
                            ScaleCurve* curve) const;
-  void gather(Run& run, std::size_t level) const;
 
   const NodeLevels& levels_;
   double noise_;

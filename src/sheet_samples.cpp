@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "lane_sums.hpp"
 #include "lanes.hpp"
 
 namespace deburr {
@@ -16,6 +17,7 @@ DEBURR_LANES_INLINE Lanes load(const double* from) {
   std::memcpy(&v, from, sizeof v);
   return v;
 }
+DEBURR_LANES_INLINE void store(const Lanes& v, double* to) { std::memcpy(to, &v, sizeof v); }
 
 DEBURR_LANES_INLINE Lanes root(Lanes v) {
   for (std::size_t l = 0; l < lane_count; ++l) v[l] = std::sqrt(v[l]);
@@ -30,119 +32,210 @@ DEBURR_LANES_INLINE Lanes level_top(const Lanes& e) {
   return e < 3.0 ? t4 * t4 : Lanes{};
 }
 
-struct Columns {
-  const double *x, *y, *height, *place_height, *weight, *trust, *square, *u, *v, *w;
+/// Coordinates of places and normals in the frame instead, and heights of the measured positions.
+struct Turned {
+  double *x, *y, *z, *u, *v, *w, *measured_x;
+  const double *measured_y, *measured_z;
 };
-
-/// The weights of the first `count` samples, 0 for those after them up to whole lanes.
 DEBURR_MULTIVERSION
-void weigh(const Columns& s, std::size_t count, const SheetSamples::Membership& member,
-           double* weights) {
-  const auto& c = member.surface.c;
-  const double per_area = 0.9 / member.area;
-  const double per_reach = 1 / member.reach;
-  const double per_turn = 1 / (member.normal_reach * member.normal_reach);
-  for (std::size_t i = 0; i < count; i += lane_count) {
-    const Lanes x = load(s.x + i);
-    const Lanes y = load(s.y + i);
-    const Lanes a = c[1] + 2 * c[3] * x + c[4] * y;
-    const Lanes b = c[2] + c[4] * x + 2 * c[5] * y;
-    const Lanes f = c[0] + (c[1] + c[3] * x + c[4] * y) * x + (c[2] + c[5] * y) * y;
-    const Lanes cosine = 1.0 / root(1.0 + a * a + b * b);
-    const Lanes du = load(s.u + i) + a * cosine;
-    const Lanes dv = load(s.v + i) + b * cosine;
-    const Lanes dw = load(s.w + i) - cosine;
-    const Lanes off = (load(s.place_height + i) - f) * cosine * per_reach;
-    const Lanes share = level_top((du * du + dv * dv + dw * dw) * per_turn + off * off);
-    const Lanes near = 1.0 - load(s.square + i) * per_area;
-    const Lanes all = near * share * load(s.weight + i) * load(s.trust + i);
-    const Lanes weight = present(count, i) > 0.0 ? all : Lanes{};
-    std::memcpy(weights + i, &weight, sizeof weight);
+void turn(const Turned& s, std::size_t begin, std::size_t end, const Frame& frame) {
+  const Lanes3 origin = all_lanes(frame.origin);
+  const Lanes3 u = all_lanes(frame.u);
+  const Lanes3 v = all_lanes(frame.v);
+  const Lanes3 w = all_lanes(frame.w);
+  for (std::size_t i = begin; i < end; i += lane_count) {
+    const Lanes3 place = Lanes3{load(s.x + i), load(s.y + i), load(s.z + i)} - origin;
+    store(dot(place, u), s.x + i);
+    store(dot(place, v), s.y + i);
+    store(dot(place, w), s.z + i);
+    const Lanes3 normal{load(s.u + i), load(s.v + i), load(s.w + i)};
+    store(dot(normal, u), s.u + i);
+    store(dot(normal, v), s.v + i);
+    store(dot(normal, w), s.w + i);
+    const Lanes3 measured{load(s.measured_x + i), load(s.measured_y + i), load(s.measured_z + i)};
+    store(dot(measured - origin, w), s.measured_x + i);
   }
 }
 
-/// Sums of the products of weight (and of its square over the number of points) with the terms.
-DEBURR_MULTIVERSION
-void add_moments(const Columns& s, const double* weights, std::size_t count, double per_scale,
-                 WeightedQuadric::Sums& to) {
-  std::array<Lanes, WeightedQuadric::moments> normal{};
-  std::array<Lanes, WeightedQuadric::moments> spread{};
-  std::array<Lanes, WeightedQuadric::terms> right{};
-  Lanes heights{};
-  Lanes shares{};
-  Lanes share_squares{};
-  Lanes used{};
+struct Neighbors {
+  const double *x, *y, *place_height, *u, *v, *w, *trust, *square;
+};
+
+/// The shares of the first `count` samples, 0 for those after them up to whole lanes.
+/// @param curved  whether the surface is
+template <bool curved>
+DEBURR_LANES_INLINE void share_out(const Neighbors& s, std::size_t count,
+                                   const SheetSamples::Membership& member, double* shares) {
+  const auto& c = member.surface.c;
+  const double per_area = 0.9 / member.area;
+  const double per_reach = 1 / member.reach;
+  const double per_turn = 2 / (member.normal_reach * member.normal_reach);
+  const double cosine_of_plane = 1 / std::sqrt(1 + c[1] * c[1] + c[2] * c[2]);
   for (std::size_t i = 0; i < count; i += lane_count) {
-    const Lanes w = load(weights + i);
-    const Lanes share = w / load(s.weight + i);
+    const Lanes x = load(s.x + i);
+    const Lanes y = load(s.y + i);
+    Lanes a = all_lanes(c[1]);
+    Lanes b = all_lanes(c[2]);
+    Lanes f = c[0] + a * x + b * y;
+    Lanes cosine = all_lanes(cosine_of_plane);
+    if constexpr (curved) {
+      const Lanes bx = c[3] * x + c[4] * y;
+      const Lanes by = c[5] * y;
+      f += bx * x + by * y;
+      a += bx + c[3] * x;
+      b += c[4] * x + 2 * by;
+      cosine = 1.0 / root(1.0 + a * a + b * b);
+    }
+    // Squared differences of unit normals are 2 less twice their product; a sample without a
+    // normal is foreign either way.
+    const Lanes along = (load(s.w + i) - a * load(s.u + i) - b * load(s.v + i)) * cosine;
+    const Lanes off = (load(s.place_height + i) - f) * cosine * per_reach;
+    const Lanes belongs = level_top((1.0 - along) * per_turn + off * off);
+    const Lanes near = 1.0 - load(s.square + i) * per_area;
+    const Lanes all = near * belongs * load(s.trust + i);
+    store(present(count, i) > 0.0 ? all : Lanes{}, shares + i);
+  }
+}
+DEBURR_MULTIVERSION
+void share_in_plane(const Neighbors& s, std::size_t count, const SheetSamples::Membership& member,
+                    double* shares) {
+  share_out<false>(s, count, member, shares);
+}
+DEBURR_MULTIVERSION
+void share_in_quadric(const Neighbors& s, std::size_t count, const SheetSamples::Membership& member,
+                      double* shares) {
+  share_out<true>(s, count, member, shares);
+}
+
+struct Samples {
+  const double *x, *y, *height, *weight, *share;
+};
+
+enum Sum { normal = 0, right = 15, squared_heights = 21, spread, shared, squared_shares, used };
+
+/// Sums of the products of weights with the terms, and others.
+DEBURR_MULTIVERSION
+void add_moments(const Samples& s, std::size_t count, double per_scale, WeightedQuadric::Sums& to) {
+  std::array<Lanes, 28> sums{};
+  for (std::size_t i = 0; i < count; i += lane_count) {
+    const Lanes share = load(s.share + i);
+    const Lanes w = share * load(s.weight + i);
     const Lanes x = load(s.x + i) * per_scale;
     const Lanes y = load(s.y + i) * per_scale;
     const Lanes h = load(s.height + i);
     const Lanes xx = x * x;
     const Lanes xy = x * y;
     const Lanes yy = y * y;
-    const std::array<Lanes, WeightedQuadric::moments> product{
-        all_lanes(1), x,      y,       xx,      xy,      yy,      xx * x, xx * y,
-        x * yy,       yy * y, xx * xx, xx * xy, xx * yy, xy * yy, yy * yy};
-    const Lanes squared = w * share;
-    for (std::size_t k = 0; k < product.size(); ++k) {
-      normal[k] += w * product[k];
-      spread[k] += squared * product[k];
+    const std::array<Lanes, WeightedQuadric::terms> terms{w, w * x, w * y, w * xx, w * xy, w * yy};
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      sums[normal + k] += terms[k];
+      sums[right + k] += terms[k] * h;
     }
-    const Lanes wh = w * h;
-    for (std::size_t k = 0; k < right.size(); ++k) right[k] += wh * product[k];
-    heights += wh * h;
-    shares += share;
-    share_squares += share * share;
-    used += w > 0.0 ? all_lanes(1) : Lanes{};
+    sums[6] += terms[3] * x;
+    sums[7] += terms[3] * y;
+    sums[8] += terms[5] * x;
+    sums[9] += terms[5] * y;
+    sums[10] += terms[3] * xx;
+    sums[11] += terms[3] * xy;
+    sums[12] += terms[3] * yy;
+    sums[13] += terms[4] * yy;
+    sums[14] += terms[5] * yy;
+    sums[squared_heights] += w * h * h;
+    sums[spread] += w * share;
+    sums[shared] += share;
+    sums[squared_shares] += share * share;
+    sums[used] += share > 0.0 ? all_lanes(1) : Lanes{};
   }
-  for (std::size_t k = 0; k < normal.size(); ++k) {
-    to.normal[k] += sum(normal[k]);
-    to.spread[k] += sum(spread[k]);
+  std::array<double, 28> all;
+  sum_each(sums, all.data());
+  for (std::size_t k = 0; k < to.normal.size(); ++k) to.normal[k] += all[normal + k];
+  for (std::size_t k = 0; k < to.right.size(); ++k) to.right[k] += all[right + k];
+  to.heights += all[squared_heights];
+  to.spread += all[spread];
+  to.shares += all[shared];
+  to.share_squares += all[squared_shares];
+  to.count += static_cast<std::size_t>(all[used]);
+}
+
+DEBURR_MULTIVERSION
+double variance_of(const Samples& s, std::size_t count, const HeightQuadric& pull) {
+  const auto& q = pull.c;
+  Lanes total{};
+  for (std::size_t i = 0; i < count; i += lane_count) {
+    const Lanes x = load(s.x + i);
+    const Lanes y = load(s.y + i);
+    const Lanes share = load(s.share + i);
+    const Lanes p = share * (q[0] + x * (q[1] + q[3] * x + q[4] * y) + y * (q[2] + q[5] * y));
+    total += p * p * load(s.weight + i);
   }
-  for (std::size_t k = 0; k < right.size(); ++k) to.right[k] += sum(right[k]);
-  to.heights += sum(heights);
-  to.shares += sum(shares);
-  to.share_squares += sum(share_squares);
-  to.count += static_cast<std::size_t>(sum(used));
+  return sum(total);
 }
 
 }  // namespace
 
-void SheetSamples::add(const Sample& sample) {
-  if (size_ + lane_count > shares_.size()) {
-    const std::size_t room = 2 * size_ + 4 * lane_count;
-    for (auto& column : columns_) column.resize(room);
-    // Lanes beyond the last sample are worked on too, and must be divided by something.
-    std::ranges::replace(columns_[weights], 0.0, 1.0);
-    shares_.resize(room);
+void SheetSamples::start(const SurfaceNodes& nodes, const Frame& frame,
+                         std::span<const Found> found) {
+  nodes_ = &nodes;
+  frame_ = frame;
+  found_ = found;
+  filled_ = 0;
+  summed_ = 0;
+  const std::size_t room = found.size() + lane_count;
+  if (x_.size() >= room) return;
+  for (auto* const column : {&x_, &y_, &place_height_, &height_, &u_, &v_, &w_, &weight_, &trust_,
+                             &square_, &share_, &measured_y_, &measured_z_}) {
+    column->resize(2 * room);
   }
-  columns_[xs][size_] = sample.x;
-  columns_[ys][size_] = sample.y;
-  columns_[heights][size_] = sample.height;
-  columns_[place_heights][size_] = sample.place_height;
-  columns_[weights][size_] = sample.weight;
-  columns_[trusts][size_] = sample.trust;
-  columns_[squares][size_] = sample.square;
-  columns_[us][size_] = sample.normal.x;
-  columns_[vs][size_] = sample.normal.y;
-  columns_[ws][size_] = sample.normal.z;
-  ++size_;
+}
+
+/// Makes ready the first `count` samples. The last lanes hold the last sample several times.
+void SheetSamples::fill(std::size_t count) {
+  if (count <= filled_) return;
+  const std::size_t begin = filled_;
+  filled_ = (count + lane_count - 1) / lane_count * lane_count;
+  for (std::size_t k = begin; k < filled_; ++k) {
+    const Found& f = found_[std::min(k, found_.size() - 1)];
+    const Vec3& place = nodes_->places[f.index];
+    x_[k] = place.x;
+    y_[k] = place.y;
+    place_height_[k] = place.z;
+    const Vec3& normal = nodes_->normals[f.index];
+    u_[k] = normal.x;
+    v_[k] = normal.y;
+    w_[k] = normal.z;
+    const Vec3& measured = nodes_->measured[f.index];
+    height_[k] = measured.x;
+    measured_y_[k] = measured.y;
+    measured_z_[k] = measured.z;
+    weight_[k] = nodes_->weights[f.index];
+    trust_[k] = nodes_->trust[f.index];
+    square_[k] = f.squared_distance;
+  }
+  turn({x_.data(), y_.data(), place_height_.data(), u_.data(), v_.data(), w_.data(), height_.data(),
+        measured_y_.data(), measured_z_.data()},
+       begin, filled_, frame_);
 }
 
 std::size_t SheetSamples::count_within(double area) const {
-  const auto begin = columns_[squares].begin();
-  const auto end = begin + static_cast<std::ptrdiff_t>(size_);
-  return static_cast<std::size_t>(std::upper_bound(begin, end, area) - begin);
+  const auto end = std::ranges::upper_bound(found_, area, {}, &Found::squared_distance);
+  return static_cast<std::size_t>(end - found_.begin());
 }
 
 void SheetSamples::sum(std::size_t count, const Membership& member, WeightedQuadric& sums) {
-  const auto column = [&](Column c) { return columns_[c].data(); };
-  const Columns s{column(xs),      column(ys),     column(heights), column(place_heights),
-                  column(weights), column(trusts), column(squares), column(us),
-                  column(vs),      column(ws)};
-  weigh(s, count, member, shares_.data());
-  add_moments(s, shares_.data(), count, 1 / sums.scale(), sums.sums());
+  fill(count);
+  summed_ = count;
+  const auto& c = member.surface.c;
+  const bool curved = c[3] != 0 || c[4] != 0 || c[5] != 0;
+  const Neighbors s{x_.data(), y_.data(), place_height_.data(), u_.data(),
+                    v_.data(), w_.data(), trust_.data(),        square_.data()};
+  (curved ? share_in_quadric : share_in_plane)(s, count, member, share_.data());
+  add_moments({x_.data(), y_.data(), height_.data(), weight_.data(), share_.data()}, count,
+              1 / sums.scale(), sums.sums());
+}
+
+double SheetSamples::variance(const HeightQuadric& pull) const {
+  return variance_of({x_.data(), y_.data(), height_.data(), weight_.data(), share_.data()}, summed_,
+                     pull);
 }
 
 }  // namespace deburr

@@ -2,34 +2,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
+#include "kd_tree.hpp"
 #include "quadric_fit.hpp"
+#include "surface_nodes.hpp"
 #include "weighted_quadric.hpp"
 
 namespace deburr {
 
 /// What fits over one neighbourhood read of its nodes, in the frame of the sheet: a column for each
-/// quantity, since sums run over eight nodes at once.
+/// quantity, since sums run over eight nodes at once. Filled as far as fits reach.
 class SheetSamples {
  public:
-  struct Sample {
-    double x, y;          ///< in the plane
-    double height;        ///< of the measured position
-    double place_height;  ///< of the place
-    double weight;        ///< number of points
-    double trust;
-    double square;  ///< squared distance
-    Vec3 normal;    ///< in the frame
-  };
-
-  void clear() { size_ = 0; }
-  void add(const Sample& sample);
-  [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] double square(std::size_t i) const { return columns_[squares][i]; }
-  /// Number of samples with squares up to `area`; squares ascend.
+  /// Begins anew with some nodes.
+  /// @param found  in ascending order; has to live as long as it is summed over, as the nodes have
+  void start(const SurfaceNodes& nodes, const Frame& frame, std::span<const Found> found);
+  [[nodiscard]] std::size_t size() const { return found_.size(); }
+  /// The squared distance of a sample; they ascend.
+  [[nodiscard]] double square(std::size_t i) const { return found_[i].squared_distance; }
+  /// Number of samples with squares up to `area`.
   [[nodiscard]] std::size_t count_within(double area) const;
 
   /// What a sample must have in common with a surface to be of it.
@@ -41,15 +35,32 @@ class SheetSamples {
   };
   /// Sums over the first `count` samples, each with its share in the surface found so far: 1 near
   /// it, 0 far from it, level in between, so that noise of samples that belong is not cut off.
-  /// Coordinates are divided by the radius.
+  /// Coordinates are divided by the scale of the sums.
   void sum(std::size_t count, const Membership& member, WeightedQuadric& sums);
 
- private:
-  enum Column { xs, ys, heights, place_heights, weights, trusts, squares, us, vs, ws, columns };
+  /// The variance of a height that comes of what was summed last, for points of variance 1.
+  /// @param pull  see WeightedQuadric::Solution
+  [[nodiscard]] double variance(const HeightQuadric& pull) const;
 
-  std::array<std::vector<double>, columns> columns_;
-  std::vector<double> shares_;
-  std::size_t size_ = 0;
+ private:
+  void fill(std::size_t count);
+
+  const SurfaceNodes* nodes_ = nullptr;
+  Frame frame_;
+  std::span<const Found> found_;
+  std::size_t filled_ = 0;  ///< samples whose columns are, up to whole lanes
+  std::size_t summed_ = 0;
+
+  // Columns.
+  std::vector<double> x_, y_;         ///< in the plane
+  std::vector<double> place_height_;  ///< of the place
+  std::vector<double> height_;        ///< of the measured position
+  std::vector<double> u_, v_, w_;     ///< normal
+  std::vector<double> weight_;        ///< number of points
+  std::vector<double> trust_;
+  std::vector<double> square_;  ///< squared distance
+  std::vector<double> share_;   ///< in the sums made last: weight of a single point
+  std::vector<double> measured_y_, measured_z_;  ///< while they are filled in
 };
 
 }  // namespace deburr

@@ -3,7 +3,6 @@
 #include "weighted_quadric.hpp"
 
 #include <algorithm>
-#include <cstdint>
 
 namespace deburr {
 namespace {
@@ -16,67 +15,50 @@ constexpr std::size_t fewest_for_quadric = 9;
 constexpr double plane_ridge = 1e-9;
 constexpr double quadric_ridge = 1e-6;
 
-using Matrix6 = WeightedQuadric::Matrix6;
-using Vector6 = WeightedQuadric::Vector6;
+using Row = QuadricCholesky::Row;
 
-/// Where the product of two terms stands among the moments.
-constexpr std::array<std::array<std::uint8_t, 6>, 6> product{{{0, 1, 2, 3, 4, 5},
-                                                              {1, 3, 4, 6, 7, 8},
-                                                              {2, 4, 5, 7, 8, 9},
-                                                              {3, 6, 7, 10, 11, 12},
-                                                              {4, 7, 8, 11, 12, 13},
-                                                              {5, 8, 9, 12, 13, 14}}};
+constexpr Row at_origin{1, 0, 0, 0, 0, 0};
 
-Matrix6 matrix_of(const std::array<double, WeightedQuadric::moments>& sums) {
-  Matrix6 m;
-  for (std::size_t r = 0; r < 6; ++r) {
-    for (std::size_t c = 0; c < 6; ++c) {
-      m(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = sums[product[r][c]];
-    }
-  }
-  return m;
+/// In the unit of the coordinates, that of scaled ones.
+HeightQuadric unscaled(const Row& c, double scale) {
+  const double per = 1 / scale;
+  return {
+      {c[0], c[1] * per, c[2] * per, c[3] * (per * per), c[4] * (per * per), c[5] * (per * per)}};
 }
 
 }  // namespace
 
-WeightedQuadric::Solution WeightedQuadric::finish(double squares, double parameters) const {
+WeightedQuadric::Solver::Solver(const WeightedQuadric& of)
+    : of_(of),
+      normal_(of.sums_.normal,
+              {plane_ridge * of.sums_.normal[0], quadric_ridge * of.sums_.normal[0]}),
+      heights_(normal_.forward(of.sums_.right)) {}
+
+WeightedQuadric::Solution WeightedQuadric::Solver::finish(const Row& c, const Row& pull,
+                                                          double squares, double parameters) const {
+  const Sums& sums = of_.sums_;
   Solution s;
-  s.freedom = std::max(1.0, sums_.shares * sums_.shares / sums_.share_squares - parameters);
-  s.residual = std::max(0.0, squares) * sums_.normal[0] / sums_.spread[0] / s.freedom;
+  s.surface = unscaled(c, of_.scale_);
+  s.freedom = std::max(1.0, sums.shares * sums.shares / sums.share_squares - parameters);
+  s.residual = std::max(0.0, squares) * sums.normal[0] / sums.spread / s.freedom;
+  s.pull = unscaled(pull, of_.scale_);
   return s;
 }
 
-WeightedQuadric::Both WeightedQuadric::solve() const {
-  Both both;
-  const double total = sums_.normal[0];
-  const Matrix6 normal = matrix_of(sums_.normal);
-  const Matrix6 spread = matrix_of(sums_.spread);
-  const Vector6 right = Eigen::Map<const Vector6>(sums_.right.data());
-  Eigen::Matrix3d plane = normal.topLeftCorner<3, 3>();
-  plane.diagonal().array() += plane_ridge * total;
-  const Eigen::LDLT<Eigen::Matrix3d> by_plane(plane);
-  const Eigen::Vector3d flat = by_plane.solve(right.head<3>());
-  const double plane_squares = sums_.heights - flat.dot(right.head<3>());
-  both.plane = finish(plane_squares, 3);
-  both.plane.surface.c = {flat(0), flat(1) / scale_, flat(2) / scale_, 0, 0, 0};
-  const Eigen::Vector3d plane_pull = by_plane.solve(Eigen::Vector3d::Unit(0));
-  both.plane.variance = plane_pull.dot(spread.topLeftCorner<3, 3>() * plane_pull);
-  both.quadric = both.plane;
-  if (sums_.count < fewest_for_quadric) return both;
+WeightedQuadric::Solution WeightedQuadric::Solver::plane() const {
+  return finish(normal_.plane(heights_), normal_.plane(normal_.forward(at_origin)),
+                of_.sums_.heights - heights_.plane_form, 3);
+}
 
-  Matrix6 quadric = normal;
-  quadric.diagonal().tail<3>().array() += quadric_ridge * total;
-  const Eigen::LDLT<Matrix6> by_quadric(quadric);
-  const Vector6 c = by_quadric.solve(right);
-  const double quadric_squares = sums_.heights - c.dot(right);
-  both.quadric = finish(quadric_squares, 6);
-  const double per_square = 1 / (scale_ * scale_);
-  both.quadric.surface.c = {
-      c(0), c(1) / scale_, c(2) / scale_, c(3) * per_square, c(4) * per_square, c(5) * per_square};
-  const Vector6 pull = by_quadric.solve(Vector6::Unit(0));
-  both.quadric.variance = pull.dot(spread * pull);
-  both.curvature = (plane_squares - quadric_squares) / (3 * sums_.spread[0] / total);
-  return both;
+WeightedQuadric::Solution WeightedQuadric::Solver::quadric() const {
+  if (of_.sums_.count < fewest_for_quadric) return plane();
+  return finish(normal_.quadric(heights_), normal_.quadric(normal_.forward(at_origin)),
+                of_.sums_.heights - heights_.plane_form - heights_.rest_form, 6);
+}
+
+double WeightedQuadric::Solver::curvature() const {
+  if (of_.sums_.count < fewest_for_quadric) return 0;
+  return heights_.rest_form / (3 * of_.sums_.spread / of_.sums_.normal[0]);
 }
 
 }  // namespace deburr

@@ -43,20 +43,40 @@ void add(WeightedQuadric& quadric, const Sample& s) {
     for (int of_y = 0; of_y <= degree; ++of_y, ++k) {
       const double term = std::pow(x, degree - of_y) * std::pow(y, of_y);
       sums.normal.at(k) += s.weight * term;
-      sums.spread.at(k) += s.weight * share * term;
       if (degree <= 2) sums.right.at(k) += s.weight * s.height * term;
     }
   }
   sums.heights += s.weight * s.height * s.height;
+  sums.spread += s.weight * share;
   sums.shares += share;
   sums.share_squares += share * share;
   ++sums.count;
 }
 
-WeightedQuadric::Both solve(const std::vector<Sample>& samples, double scale) {
+struct Fit : WeightedQuadric::Solution {
+  double variance = 0;  ///< of the height at the origin, for points of variance 1
+};
+struct Both {
+  Fit plane, quadric;
+  double curvature = 0;
+};
+
+Both solve(const WeightedQuadric& sums, const std::vector<Sample>& samples) {
+  const auto with_variance = [&](const WeightedQuadric::Solution& solution) {
+    Fit fit{solution, 0};
+    for (const Sample& s : samples) {
+      fit.variance += std::pow(s.weight * fit.pull.height(s.x, s.y), 2) / s.points;
+    }
+    return fit;
+  };
+  const WeightedQuadric::Solver solver = sums.solve();
+  return {with_variance(solver.plane()), with_variance(solver.quadric()), solver.curvature()};
+}
+
+Both solve(const std::vector<Sample>& samples, double scale) {
   WeightedQuadric sums(scale);
   for (const Sample& s : samples) add(sums, s);
-  return sums.solve();
+  return solve(sums, samples);
 }
 
 /// Gaussian heights: variance sigma^2 over the number of points.
@@ -93,7 +113,7 @@ TEST(WeightedQuadric, FindsAnExactPlane) {
 
 /// What textbooks say of weighted least squares with independent errors.
 void expect_as_of_the_textbook(const std::vector<Sample>& samples, Eigen::Index parameters,
-                               const WeightedQuadric::Solution& found) {
+                               const Fit& found) {
   const auto n = static_cast<Eigen::Index>(samples.size());
   Eigen::MatrixXd terms(n, parameters);
   Eigen::VectorXd heights(n);
@@ -134,7 +154,7 @@ TEST(WeightedQuadric, KnowsHowSureItIs) {
   Random random(6);
   constexpr int runs = 4000;
   double plane = 0, quadric = 0, plane_residual = 0, quadric_residual = 0;
-  WeightedQuadric::Both both;
+  Both both;
   for (int run = 0; run < runs; ++run) {
     both = solve(with_heights(exact, sigma, random), 1);
     plane += std::pow(both.plane.surface.c[0] - truth.c[0], 2) / runs;
@@ -176,17 +196,17 @@ TEST(WeightedQuadric, TellsCurvatureFromNoise) {
 }
 
 TEST(WeightedQuadric, TakesANodeForAsManyPointsAtItsMean) {
-  WeightedQuadric nodes(1);
-  WeightedQuadric points(1);
+  std::vector<Sample> points;
   Random random(9);
-  for (const Sample& s : with_heights(samples_on({{0, 0, 0, 1, 0, 1}}, 1, 30, 10), 0.1, random)) {
-    add(nodes, s);
+  const std::vector<Sample> nodes =
+      with_heights(samples_on({{0, 0, 0, 1, 0, 1}}, 1, 30, 10), 0.1, random);
+  for (const Sample& s : nodes) {
     for (int k = 0; k < static_cast<int>(s.points); ++k) {
-      add(points, {s.x, s.y, s.height, s.weight / s.points, 1});
+      points.push_back({s.x, s.y, s.height, s.weight / s.points, 1});
     }
   }
-  const auto of_nodes = nodes.solve();
-  const auto of_points = points.solve();
+  const Both of_nodes = solve(nodes, 1);
+  const Both of_points = solve(points, 1);
   for (std::size_t k = 0; k < 6; ++k) {
     EXPECT_NEAR(of_nodes.plane.surface.c[k], of_points.plane.surface.c[k], 1e-12);
     EXPECT_NEAR(of_nodes.quadric.surface.c[k], of_points.quadric.surface.c[k], 1e-12);
@@ -213,14 +233,25 @@ TEST(WeightedQuadric, MakesNoSlopeOutOfALine) {
   }
 }
 
+TEST(WeightedQuadric, IsLevelWhereAllSamplesAreAtOnePlace) {
+  for (const double weight : {1.0, 1e-100}) {
+    const auto both = solve(std::vector<Sample>(12, {0, 0, 0.25, weight, 1}), 1);
+    for (const auto* s : {&both.plane, &both.quadric}) {
+      EXPECT_NEAR(s->surface.c[0], 0.25, 1e-3);
+      for (std::size_t k = 1; k < 6; ++k) EXPECT_EQ(s->surface.c.at(k), 0);
+    }
+    EXPECT_EQ(both.curvature, 0);
+  }
+}
+
 // A plane stands for the quadric then, and nothing is known of the curvature, in whatever unit.
 TEST(WeightedQuadric, TellsNoCurvatureOfTooFewSamples) {
   WeightedQuadric sums(1);
   for (int k = 0; k < 8; ++k) {
     add(sums, {static_cast<double>(k % 3), static_cast<double>(k / 3), 1e-6 * k, 1, 1});
   }
-  EXPECT_EQ(sums.solve().curvature, 0);
-  EXPECT_EQ(sums.solve().quadric.surface.c, sums.solve().plane.surface.c);
+  EXPECT_EQ(sums.solve().curvature(), 0);
+  EXPECT_EQ(sums.solve().quadric().surface.c, sums.solve().plane().surface.c);
 }
 
 }  // namespace
