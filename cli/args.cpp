@@ -38,6 +38,10 @@ std::string refuse_negative(const std::string& number) {
   return number.find('-') == std::string::npos ? "" : "must be >= 0, got " + number;
 }
 
+std::string refuse_no_name(const std::string& path) {
+  return path.empty() ? "must name a file, got an empty name" : "";
+}
+
 std::string with_option_name(const CLI::App& command, const std::string& message) {
   const std::size_t end = message.find(" must be ");
   if (end == std::string::npos) return message;
@@ -51,7 +55,15 @@ std::string with_option_name(const CLI::App& command, const std::string& message
 
 CLI::Option* add_file(CLI::App& command, const std::string& name, std::string& value,
                       const std::string& description) {
-  return command.add_option(name, value, description)->required()->type_name("");
+  return command.add_option(name, value, description)
+      ->required()
+      ->type_name("")
+      ->check(refuse_no_name);
+}
+
+CLI::Option* add_file_option(CLI::App& command, const std::string& name, std::string& value,
+                             const std::string& description, const std::string& kind) {
+  return command.add_option(name, value, description)->option_text(kind)->check(refuse_no_name);
 }
 
 }  // namespace deburr::cli

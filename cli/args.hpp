@@ -26,6 +26,11 @@ void add_common_options(CLI::App& command, CommonArgs& args, const char* example
 CLI::Option* add_file(CLI::App& command, const std::string& name, std::string& value,
                       const std::string& description);
 
+/// Adds an option that names a file.
+/// @param kind  what the help calls its value: FILE
+CLI::Option* add_file_option(CLI::App& command, const std::string& name, std::string& value,
+                             const std::string& description, const std::string& kind);
+
 /// What a command that reads a cloud says of its argument.
 inline constexpr const char* cloud_help =
     "Point cloud: PLY, LAS, PCD, STL, OBJ, OFF, or text with x y z in each line; - is stdin";
@@ -38,6 +43,9 @@ void add_format(CLI::App& command, std::string& format);
 
 /// The complaint about a number with a minus sign, empty for others; a check for CLI11.
 [[nodiscard]] std::string refuse_negative(const std::string& number);
+
+/// The complaint about an empty name of a file; a check for CLI11.
+[[nodiscard]] std::string refuse_no_name(const std::string& path);
 
 /// What the library says of an option, "automatic.max_move must be ...", with the name that it has
 /// on the command line, "--max-move must be ...". Other messages stay.

@@ -122,17 +122,14 @@ void add_compare_command(CLI::App& program) {
   add_file(*command, "--truth", args->truth,
            "The true surface: a file with faces (PLY, STL, OBJ, OFF), or a cloud of points on it")
       ->option_text("MESH_OR_CLOUD REQUIRED");
-  command
-      ->add_option(
-          "--clean", args->clean,
-          "The points of CLOUD in the same order without noise, with true normals; a field "
-          "outlier marks those that are none of the surface")
-      ->option_text("CLOUD");
-  command
-      ->add_option("--distances", args->distances,
-                   "Write CLOUD to this file, with the distance of each point from the truth as "
-                   "field deburr_distance")
-      ->option_text("FILE");
+  add_file_option(*command, "--clean", args->clean,
+                  "The points of CLOUD in the same order without noise, with true normals; a field "
+                  "outlier marks those that are none of the surface",
+                  "CLOUD");
+  add_file_option(*command, "--distances", args->distances,
+                  "Write CLOUD to this file, with the distance of each point from the truth as "
+                  "field deburr_distance",
+                  "FILE");
   command->add_flag("--skip-outliers", args->options.skip_outliers,
                     "Leave out points whose field deburr_outlier is not 0");
   add_value(*command, "--samples", args->options.coverage.samples,

@@ -164,11 +164,10 @@ void add_denoise_command(CLI::App& program) {
           "--add", args->add,
           "What to write for every point: normals,label,displacement,outlier, some or none")
       ->option_text("LIST [all to PLY, LAS and PCD, else none]");
-  command
-      ->add_option("--report", args->report,
-                   "Write the summary to this file: as JSON, or, if it ends in .html, as a page "
-                   "that shows the points before and after; - is stdout")
-      ->option_text("FILE");
+  add_file_option(*command, "--report", args->report,
+                  "Write the summary to this file: as JSON, or, if it ends in .html, as a page "
+                  "that shows the points before and after; - is stdout",
+                  "FILE");
   add_common_options(*command, args->common, denoise_examples);
   command->callback([command, args] {
     finish_denoise_options(*command, args->options);

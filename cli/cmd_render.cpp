@@ -147,12 +147,11 @@ void add_render_command(CLI::App& program) {
   command->add_option("--size", args->size, "Size of the picture in pixels")
       ->option_text(fmt::format("WIDTHxHEIGHT [{}x{}]", args->options.raster.width,
                                 args->options.raster.height));
-  command
-      ->add_option("--before", args->before,
-                   "The same points before they were moved, in the same order, with or without "
-                   "outliers that were removed: the displacement is then taken between the two, "
-                   "along the normals")
-      ->option_text("CLOUD");
+  add_file_option(*command, "--before", args->before,
+                  "The same points before they were moved, in the same order, with or without "
+                  "outliers that were removed: the displacement is then taken between the two, "
+                  "along the normals",
+                  "CLOUD");
   add_value(*command, "--range", args->options.range,
             "Displacement of the last colour, in input units; 0 for what 98 % do not exceed");
   command->add_flag_callback(

@@ -208,14 +208,12 @@ void add_synth_command(CLI::App& program) {
   args->thickness =
       add_value(*command, "--thickness", options.shape.thickness,
                 "Distance of the sheets of thin-plate, as a fraction of the diagonal");
-  command
-      ->add_option("--truth", args->truth, "Write the true surface to this PLY file; - is stdout")
-      ->option_text("MESH");
-  command
-      ->add_option(
-          "--clean", args->clean,
-          "Write the points before the noise, with normals and outlier, to this file; - is stdout")
-      ->option_text("CLOUD");
+  add_file_option(*command, "--truth", args->truth,
+                  "Write the true surface to this PLY file; - is stdout", "MESH");
+  add_file_option(
+      *command, "--clean", args->clean,
+      "Write the points before the noise, with normals and outlier, to this file; - is stdout",
+      "CLOUD");
   add_common_options(*command, args->common, synth_examples);
   command->callback([args] { run(*args); });
 }

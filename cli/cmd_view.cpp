@@ -146,17 +146,15 @@ void add_view_command(CLI::App& program) {
           "B", args->after,
           "A second cloud to compare A with. As many points as in A are taken for the same "
           "points in the same order")
-      ->type_name("");
+      ->type_name("")
+      ->check(refuse_no_name);
   add_in_format(*command, args->in_format);
-  command
-      ->add_option("-o,--output", args->output,
-                   "Where to write the page, one HTML file; - is stdout")
-      ->option_text("FILE REQUIRED")
+  add_file_option(*command, "-o,--output", args->output,
+                  "Where to write the page, one HTML file; - is stdout", "FILE REQUIRED")
       ->required();
-  command
-      ->add_option("--truth", args->truth,
-                   "The true surface: a file with faces, or a cloud of points on it")
-      ->option_text("MESH_OR_CLOUD");
+  add_file_option(*command, "--truth", args->truth,
+                  "The true surface: a file with faces, or a cloud of points on it",
+                  "MESH_OR_CLOUD");
   add_up(*command, args->up);
   add_value(*command, "--max-size", args->max_megabytes,
             "Largest size of the page, in megabytes; what does not fit is left out evenly");

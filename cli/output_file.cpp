@@ -22,11 +22,12 @@ namespace deburr::cli {
 namespace fs = std::filesystem;
 
 void check_output(const std::string& path) {
-  if (path == "-") return;
-  if (const std::optional<int> open = own_descriptor(path)) {
+  const bool is_stdout = path == "-";
+  if (const std::optional<int> open = is_stdout ? STDOUT_FILENO : own_descriptor(path)) {
+    const std::string name = is_stdout ? "standard output" : path;
     const int flags = fcntl(*open, F_GETFL);
-    if (flags < 0) throw IoError(path, std::strerror(errno));
-    if ((flags & O_ACCMODE) == O_RDONLY) throw IoError(path, "is open for reading only");
+    if (flags < 0) throw IoError(name, std::strerror(errno));
+    if ((flags & O_ACCMODE) == O_RDONLY) throw IoError(name, "is not open for writing");
     return;
   }
   std::error_code ignored;

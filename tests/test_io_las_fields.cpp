@@ -86,6 +86,32 @@ TEST_P(LasFieldOf, KeepsIntegersThatNoDoubleHolds) {
   }
 }
 
+// An extra field takes the name of one of the format that is 0 everywhere. It does not move there.
+TEST(LasExtra, GoesBackToWhereItCameFrom) {
+  constexpr std::size_t bytes = 2;
+  constexpr std::size_t intensity_at = 12;
+  for (const bool is_zero : {true, false}) {
+    for (const std::size_t count : {1U, 2U}) {
+      std::string descriptors;
+      for (std::size_t k = 0; k < count; ++k) descriptors += las_descriptor("intensity", 3);
+      const LasParts parts{.records = las_record("LASF_Spec", 4, descriptors),
+                           .extra_bytes = count * bytes};
+      std::string points = las_points(parts);
+      const std::size_t size = las_sizes[0] + parts.extra_bytes;
+      for (std::size_t i = 0; is_zero && i < parts.points; ++i) {
+        put_at(points, i * size + intensity_at, std::uint16_t{0});
+      }
+      const std::string file = las_file(parts, points);
+      const PointCloud cloud = parsed(file);
+      EXPECT_EQ(find_attribute(cloud, count == 2 ? "intensity__" : "intensity_") == nullptr,
+                is_zero);
+      std::vector<std::string> warnings;
+      EXPECT_EQ(without_box(written_in_memory(cloud, "las", &warnings)), file) << is_zero << count;
+      EXPECT_THAT(warnings, testing::IsEmpty());
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Names, LasFieldOf, testing::ValuesIn(all_names()),
                          [](const auto& given) { return given.param; });
 

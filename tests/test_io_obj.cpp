@@ -149,6 +149,17 @@ TEST(Obj, TakesAllReturnsForTheEndOfALine) {
   EXPECT_EQ(written_as(dir, cloud, "a.obj"), "# a\n#\nv 1 2 3\n");
 }
 
+// As the first line, it would say that all lines end with returns.
+TEST(Obj, KeepsALineWithAReturnInItWhereNormalsStoodBefore) {
+  const TempDir dir;
+  const PointCloud cloud = parsed("vn 0 0 1\ng a\rb\nv 1 2 3\n");
+  ASSERT_EQ(cloud.normals.size(), 1U);
+  EXPECT_EQ(written_as(dir, cloud, "a.obj"), "\ng a\rb\nv 1 2 3\nvn 0 0 1\n");
+  const PointCloud again = read_cloud(dir / "a.obj");
+  expect_same(again, cloud);
+  EXPECT_EQ(written_as(dir, again, "b.obj"), get(dir / "a.obj"));
+}
+
 TEST(Obj, NamesTheLineOfWhatIsWrong) {
   EXPECT_EQ(error_of("v 1 2 3\nv 1 2\n"), "line 2: the line ends before z");
   EXPECT_EQ(error_of("v 1 2 3\nv 1 2 3x\n"), "line 2: '3x' is no value for z");

@@ -259,6 +259,25 @@ TEST(Text, SaysWhatItCannotHold) {
   EXPECT_EQ(get(dir / "a.xyz"), "1 2 3\n");
 }
 
+// Names that differ in characters which become blanks, or in what an empty name is read as.
+TEST(Text, KeepsNamesApart) {
+  const TempDir dir;
+  const PointCloud cloud = parsed("# c\nx,y,z,a\rb,a b,a\vb\n1,2,3,4,5,6\n", "csv");
+  EXPECT_THAT(names(cloud), ElementsAre("x", "y", "z", "a\rb", "a b", "a\vb"));
+  EXPECT_THAT(write_cloud(dir / "a.csv", cloud),
+              ElementsAre("text cannot hold the name 'a\rb', it became 'a b_'"));
+  EXPECT_EQ(get(dir / "a.csv"), "# c\nx,y,z,a b_,a b,a\vb\n1,2,3,4,5,6\n");
+
+  PointCloud unnamed;
+  unnamed.points = {{1, 2, 3}};
+  unnamed.attributes = {{"column_5", std::vector<std::int32_t>{4}, {}},
+                        {"", std::vector<std::int32_t>{5}, {}}};
+  EXPECT_THAT(write_cloud(dir / "a.csv", unnamed),
+              ElementsAre("text cannot hold the name '', it became 'column_5_'"));
+  EXPECT_THAT(names(read_cloud(dir / "a.csv")),
+              ElementsAre("x", "y", "z", "column_5", "column_5_"));
+}
+
 TEST(Text, WritesNewColumnsOnlyUnderNames) {
   const TempDir dir;
   for (const std::string header : {"", "x y z i\n"}) {

@@ -94,11 +94,7 @@ void renew_las_records(std::vector<LasRecord>& records, const LasPlan& plan,
   const auto is_extra = [](const LasRecord& r) { return r.is(las_spec, las_extra_id); };
   const auto old = std::ranges::find_if(records, is_extra);
   const auto place = old - records.begin();
-  std::string before;
-  for (const LasRecord& r : records) {
-    if (is_extra(r)) before += r.data();
-  }
-  if (descriptors != before) {
+  if (descriptors != las_descriptors(records)) {
     std::erase_if(records, is_extra);
     constexpr std::size_t most = 0xffff / las_descriptor_bytes * las_descriptor_bytes;
     auto at = records.begin() + std::min<std::ptrdiff_t>(place, std::ssize(records));

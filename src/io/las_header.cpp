@@ -162,6 +162,14 @@ LasRecord make_las_record(std::string_view user, std::uint16_t id, std::string_v
   return record;
 }
 
+std::string las_descriptors(const std::vector<LasRecord>& records) {
+  std::string descriptors;
+  for (const LasRecord& record : records) {
+    if (record.is(las_spec, las_extra_id)) descriptors += record.data();
+  }
+  return descriptors;
+}
+
 LasHeader parse_las_header(const Source& source) { return LasParser(source).parse(); }
 
 bool is_las_block(const HeaderBlock& block) {

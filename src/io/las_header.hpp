@@ -69,6 +69,9 @@ inline constexpr std::string_view las_spec = "LASF_Spec";
 inline constexpr std::uint16_t las_text_id = 3;
 inline constexpr std::uint16_t las_extra_id = 4;
 inline constexpr std::uint16_t las_waveform_id = 65535;
+/// All descriptions of extra bytes.
+[[nodiscard]] std::string las_descriptors(const std::vector<LasRecord>& records);
+
 /// Description of the text record that holds comments of other formats.
 inline constexpr std::string_view las_comments = "comments (deburr)";
 

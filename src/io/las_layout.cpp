@@ -3,7 +3,6 @@
 #include "io/las_layout.hpp"
 
 #include <algorithm>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -89,6 +88,23 @@ FileLayout las_layout(const PointCloud& cloud, const LasHeader& header,
   }
   if (!header.gap.empty()) layout.blocks.push_back({"LAS gap", header.gap});
   return layout;
+}
+
+std::set<std::string_view> replaced_las_fields(const FileLayout& layout,
+                                               const std::vector<LasField>& fields,
+                                               const std::vector<LasExtra>& extras) {
+  std::set<std::string_view> replaced;
+  if (layout.fields.size() < 3 + extras.size()) return replaced;
+  const std::size_t first_extra = layout.fields.size() - extras.size();
+  std::size_t at = 3;
+  for (const LasField& field : fields) {
+    if (at < first_extra && layout.fields[at].name == field.name) {
+      ++at;
+    } else if (std::ranges::find(extras, field.name, &LasExtra::name) != extras.end()) {
+      replaced.insert(field.name);
+    }
+  }
+  return replaced;
 }
 
 }  // namespace deburr

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <set>
+#include <string_view>
 #include <vector>
 
 #include "deburr/point_cloud.hpp"
 #include "io/las_extra.hpp"
+#include "io/las_fields.hpp"
 #include "io/las_header.hpp"
 
 // What a reader of LAS says beside the values: names of columns, records, comments.
@@ -23,5 +26,11 @@ void name_las_columns(PointCloud& cloud, const std::vector<LasExtra>& extras,
 [[nodiscard]] FileLayout las_layout(const PointCloud& cloud, const LasHeader& header,
                                     const std::vector<LasExtra>& extras,
                                     const std::vector<int>& roles);
+
+/// Names of those fields of the format that name_las_columns() left out for extra ones. The layout
+/// has the others first and then the extra ones, which may have their names.
+[[nodiscard]] std::set<std::string_view> replaced_las_fields(const FileLayout& layout,
+                                                             const std::vector<LasField>& fields,
+                                                             const std::vector<LasExtra>& extras);
 
 }  // namespace deburr

@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "io/las_layout.hpp"
 #include "io/scalar_type.hpp"
 #include "io/strided.hpp"
 
@@ -62,17 +63,15 @@ class Planner {
     plan_.has_layout = header_ != nullptr;
     plan_.format = header_ != nullptr ? header_->format : best_format();
     plan_.point_bytes = las_point_bytes(plan_.format);
-    for (const LasField& field : las_fields(plan_.format)) {
-      const Attribute* const attribute = held_in(field);
+    if (header_ != nullptr && header_->point_bytes > plan_.point_bytes) {
+      old_ = parse_las_extras(las_descriptors(records), header_->point_bytes - plan_.point_bytes);
+    }
+    const std::vector<LasField> fields = las_fields(plan_.format);
+    const std::set<std::string_view> replaced = replaced_las_fields(cloud_.layout, fields, old_);
+    for (const LasField& field : fields) {
+      const Attribute* const attribute = replaced.contains(field.name) ? nullptr : held_in(field);
       plan_.fields.push_back({field, attribute});
       if (attribute != nullptr) held_.insert(attribute);
-    }
-    std::string descriptors;
-    for (const LasRecord& record : records) {
-      if (record.is(las_spec, las_extra_id)) descriptors += record.data();
-    }
-    if (header_ != nullptr && header_->point_bytes > plan_.point_bytes) {
-      old_ = parse_las_extras(descriptors, header_->point_bytes - plan_.point_bytes);
     }
     for (const Column& c : columns_) {
       if (c.role >= 3) add_normal(c);

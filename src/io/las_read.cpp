@@ -43,12 +43,8 @@ class LasReader {
 
  private:
   void find_extras() {
-    std::string descriptors;
-    for (const LasRecord& record : header_.records) {
-      if (record.is(las_spec, las_extra_id)) descriptors += record.data();
-    }
     std::size_t place = las_point_bytes(header_.format);
-    extras_ = parse_las_extras(descriptors, header_.point_bytes - place);
+    extras_ = parse_las_extras(las_descriptors(header_.records), header_.point_bytes - place);
     std::vector<std::string> names{"x", "y", "z"};
     for (LasExtra& extra : extras_) {
       const bool is_number = extra.count == 1 && !extra.descriptor.empty();

@@ -164,6 +164,8 @@ class ObjReader {
     }
     rest.append(kept_, from);
     kept_ = std::move(rest);
+    // A first line with a return in it would say that all lines end so.
+    if (kept_.find('\r') < kept_.find('\n')) kept_.insert(kept_.begin(), '\n');
   }
 
   void make_columns() {

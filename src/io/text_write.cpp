@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "io/comments.hpp"
@@ -155,13 +156,29 @@ class TextWriter {
     (are_late ? late_comments_ : buffer_) += comments.text();
     if (layout_.header == TextHeader::None) return;
     if (layout_.header == TextHeader::Marked) buffer_ += header_mark();
-    for (const Column& c : columns_) {
-      const std::string name = cleaned(c.name);
-      losses_.add_name(c.name, name);
+    for (const std::string& name : written_names()) {
       append_field(buffer_, name, layout_.separator);
       buffer_ += layout_.separator;
     }
     buffer_.back() = '\n';
+  }
+
+  /// Names that the reader finds as they are; those that have to change make room for the others.
+  std::vector<std::string> written_names() {
+    std::vector<std::string> names;
+    std::set<std::string> taken;
+    for (const Column& c : columns_) {
+      // What the reader calls it.
+      names.push_back(c.name.empty() ? fmt::format("column_{}", names.size() + 1)
+                                     : cleaned(c.name));
+      if (names.back() == c.name) taken.insert(c.name);
+    }
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (names[k] == columns_[k].name) continue;
+      while (!taken.insert(names[k]).second) names[k] += '_';
+      losses_.add_name(columns_[k].name, names[k]);
+    }
+    return names;
   }
 
   /// What stands before the names in a comment.

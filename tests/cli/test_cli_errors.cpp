@@ -76,6 +76,30 @@ TEST_F(CliErrors, OptionsOutOfRangeAreExitCode2) {
   expect_failure({"synth", "part", "out.ply", "--noise", "-1"}, 2, ": --noise must be");
 }
 
+// As a variable of the shell is that nobody has set.
+TEST_F(CliErrors, EmptyNamesOfFilesAreExitCode2) {
+  expect_failure({"denoise", "scan.ply", ""}, 2,
+                 "deburr: OUT: must name a file, got an empty name (see deburr denoise --help)");
+  expect_failure({"denoise", "", "out.ply"}, 2, "deburr: IN: must name");
+  expect_failure({"denoise", "scan.ply", "out.ply", "--report", ""}, 2, "deburr: --report: must");
+  expect_failure({"info", ""}, 2, "deburr: IN: must name");
+  expect_failure({"synth", "part", ""}, 2, "deburr: OUT: must name");
+  expect_failure({"synth", "part", "out.ply", "--truth", ""}, 2, "deburr: --truth: must name");
+  expect_failure({"synth", "part", "out.ply", "--clean", ""}, 2, "deburr: --clean: must name");
+  expect_failure({"compare", "scan.ply", "--truth", ""}, 2, "deburr: --truth: must name");
+  const std::vector<std::string> compare{"compare", "scan.ply", "--truth", "scan.ply"};
+  for (const char* option : {"--clean", "--distances"}) {
+    std::vector<std::string> args = compare;
+    args.insert(args.end(), {option, ""});
+    expect_failure(args, 2, std::string("deburr: ") + option + ": must name");
+  }
+  expect_failure({"render", "scan.ply", ""}, 2, "deburr: OUT: must name");
+  expect_failure({"render", "scan.ply", "out.png", "--before", ""}, 2, "deburr: --before: must");
+  expect_failure({"view", "scan.ply", "-o", ""}, 2, "deburr: --output: must name");
+  expect_failure({"view", "scan.ply", "", "-o", "a.html"}, 2, "deburr: B: must name");
+  EXPECT_FALSE(std::filesystem::exists("out.ply"));
+}
+
 // The range is looked at before the file, which may take long to read.
 TEST_F(CliErrors, OptionsAreCheckedBeforeTheInputIsRead) {
   expect_failure({"denoise", "broken.ply", "out.ply", "--strength", "0"}, 2, "strength");

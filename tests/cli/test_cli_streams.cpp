@@ -174,12 +174,24 @@ TEST_F(CliStreams, NothingTakesThePlaceOfAClosedStream) {
 TEST_F(CliStreams, StreamsThatCannotBeWrittenAreExitCode3) {
   const Outcome reading = run_program({"denoise", "scan.ply", "/dev/stdin"}, "scan.ply");
   EXPECT_EQ(reading.exit_code, 3);
-  EXPECT_EQ(reading.err, "deburr: /dev/stdin: is open for reading only\n");
+  EXPECT_EQ(reading.err, "deburr: /dev/stdin: is not open for writing\n");
   const Outcome closed =
       run_program({"denoise", "scan.ply", "x.ply", "--report", "/proc/self/fd/999"});
   EXPECT_EQ(closed.exit_code, 3);
   EXPECT_EQ(closed.err, "deburr: /proc/self/fd/999: Bad file descriptor\n");
   EXPECT_FALSE(std::filesystem::exists("x.ply"));
+}
+
+// Before the input is read, which may take long.
+TEST_F(CliStreams, AClosedStdoutIsNoOutput) {
+  for (const auto& [name, told] :
+       {std::pair{"-", "standard output"}, {"/dev/stdout", "/dev/stdout"}}) {
+    const int err = open("messages", O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+    EXPECT_EQ(wait_for_exit(start_program({"denoise", "missing.ply", name}, closed, err)), 3);
+    close(err);
+    EXPECT_EQ(read_text("messages"),
+              std::string("deburr: ") + told + ": is not open for writing\n");
+  }
 }
 
 }  // namespace

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "deburr/io.hpp"
 #include "io/format.hpp"
+#include "support/find_attribute.hpp"
 #include "support/temp_dir.hpp"
 
 namespace deburr {
@@ -29,11 +29,6 @@ inline std::vector<std::string> field_names(const PointCloud& cloud) {
   std::vector<std::string> names;
   for (const Field& field : cloud.layout.fields) names.push_back(field.name);
   return names;
-}
-
-inline const Attribute* find_attribute(const PointCloud& cloud, const std::string& name) {
-  const auto found = std::ranges::find(cloud.attributes, name, &Attribute::name);
-  return found != cloud.attributes.end() ? &*found : nullptr;
 }
 
 /// The values of an attribute; empty if it is not there or has another type.
