@@ -32,7 +32,7 @@ constexpr double chance = 0.3;
 /// What the residuals exceed the noise by without any misfit: of fits over points, and over nodes
 /// that are not all equally pure.
 constexpr double free_excess = 0.01;
-constexpr double free_coarse_excess = 0.4;
+constexpr double free_coarse_excess = 0.35;
 /// Squared error at the node itself over the mean squared misfit, after blending.
 constexpr double misfit_weight = 0.8;
 
