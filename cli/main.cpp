@@ -20,7 +20,6 @@
 #include "deburr/error.hpp"
 #include "deburr/version.hpp"
 #include "interrupt.hpp"
-#include "memory.hpp"
 
 namespace deburr::cli {
 namespace {
@@ -109,7 +108,6 @@ int guarded_run(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
   deburr::cli::hold_standard_streams();
-  deburr::cli::give_memory_back();
   // A closed pipe, or a file beyond the size allowed, is then an error of the write, told like any
   // other.
   (void)std::signal(SIGPIPE, SIG_IGN);
