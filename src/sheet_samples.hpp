@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -17,6 +18,8 @@ namespace deburr {
 /// quantity, since sums run over eight nodes at once. Filled as far as fits reach.
 class SheetSamples {
  public:
+  static constexpr std::size_t block_size = 8;  ///< samples that are worked on at once
+
   /// Begins anew with some nodes.
   /// @param found  in ascending order; has to live as long as it is summed over, as the nodes have
   void start(const SurfaceNodes& nodes, const Frame& frame, std::span<const Found> found);
@@ -43,24 +46,29 @@ class SheetSamples {
   [[nodiscard]] double variance(const HeightQuadric& pull) const;
 
  private:
+  /// A column of each quantity, for as many samples as there are lanes: a fit reads one after the
+  /// other, and none across the lines of the cache.
+  struct alignas(block_size * sizeof(double)) Block {
+    using Column = std::array<double, block_size>;
+    Column x, y;          ///< in the plane
+    Column place_height;  ///< of the place
+    Column u, v, w;       ///< normal
+    Column trust;
+    Column square;    ///< squared distance
+    Column height;    ///< of the measured position
+    Column weight;    ///< number of points
+    Column share;     ///< in the sums made last: weight of a single point
+    Column measured;  ///< third coordinate, until heights are known
+  };
+  struct Kernels;
   void fill(std::size_t count);
 
   const SurfaceNodes* nodes_ = nullptr;
   Frame frame_;
   std::span<const Found> found_;
-  std::size_t filled_ = 0;  ///< samples whose columns are, up to whole lanes
-  std::size_t summed_ = 0;
-
-  // Columns.
-  std::vector<double> x_, y_;         ///< in the plane
-  std::vector<double> place_height_;  ///< of the place
-  std::vector<double> height_;        ///< of the measured position
-  std::vector<double> u_, v_, w_;     ///< normal
-  std::vector<double> weight_;        ///< number of points
-  std::vector<double> trust_;
-  std::vector<double> square_;  ///< squared distance
-  std::vector<double> share_;   ///< in the sums made last: weight of a single point
-  std::vector<double> measured_y_, measured_z_;  ///< while they are filled in
+  std::vector<Block> blocks_;
+  std::size_t filled_ = 0;  ///< samples in blocks, in whole lanes
+  std::size_t summed_ = 0;  ///< blocks
 };
 
 }  // namespace deburr
