@@ -41,8 +41,8 @@ bool comes_near(std::span<const Vec3> members, const Vec3& place, double distanc
       members, [&](const Vec3& p) { return squared_norm(p - place) < distance * distance; });
 }
 
-/// Whether there may be enough sheets at an angle to a normal to be a plane. Most points are far from
-/// any edge, and this ends the search for one.
+/// Whether there may be enough sheets at an angle to a normal to be a plane. Most points are far
+/// from any edge, and this ends the search for one.
 bool may_be_a_plane(const Vec3& normal, std::span<const Found> near, const PackedSheet* sheets) {
   constexpr double rounding = 1e-6;
   std::size_t others = 0;
@@ -86,7 +86,7 @@ std::vector<CreaseFinder::Plane> CreaseFinder::find_planes(const Blend& blend, s
   for (const Found& f : near) surest = std::max(surest, sheets_[f.index].certainty);
   for (const Found& f : near) {
     const PackedSheet& sheet = sheets_[f.index];
-    const Vec3 middle = sheet.middle;
+    const Vec3 middle = sheet.middle();
     const Vec3 normal = sheet.unit_normal();
     const double cosine = dot(normal, blend.normal);
     if (cosine > same_sheet) {

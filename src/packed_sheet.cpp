@@ -26,19 +26,19 @@ Sym3 second_derivative(const Frame& frame, const HeightQuadric& height) {
 }  // namespace
 
 PackedSheet::PackedSheet(const Sheet& sheet)
-    : middle(sheet.middle()),
+    : place(sheet.frame.origin),
       certainty(1 / std::sqrt(sheet.variance)),
       fineness(narrow(1 / (certainty * sheet.radius))) {
-  const auto& [origin, u, v, w] = sheet.frame;
+  const Frame& frame = sheet.frame;
   const auto& c = sheet.height.c;
-  const Vec3 slope = w - c[1] * u - c[2] * v;
+  const Vec3 slope = frame.w - c[1] * frame.u - c[2] * frame.v;
   const double cosine = 1 / norm(slope);
   normal = narrow(cosine * slope);
-  lift = narrow((per_radius() * c[0]) * w);
-  Sym3 b = second_derivative(sheet.frame, sheet.height);
+  lift = narrow((per_radius() * c[0]) * frame.w);
+  Sym3 b = second_derivative(frame, sheet.height);
   b.scale(cosine / per_radius());
   bend = {narrow(b.xx), narrow(b.xy), narrow(b.xz), narrow(b.yy), narrow(b.yz), narrow(b.zz)};
-  valid = sheet.valid && is_finite(place());
+  valid = sheet.valid && is_finite(middle());
 }
 
 }  // namespace deburr

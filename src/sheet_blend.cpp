@@ -37,12 +37,13 @@ DEBURR_LANES_INLINE Lanes column(const EightSheets& sheets, const Get& get) {
 
 /// Eight sheets.
 struct LaneSheets {
-  Lanes3 middle, normal;
+  Lanes3 place, lift, normal;
   LanesSym3 bend;
   Lanes per_radius;
 
   DEBURR_LANES_INLINE void read(const EightSheets& sheets) {
-    middle = {DEBURR_COLUMN(middle.x), DEBURR_COLUMN(middle.y), DEBURR_COLUMN(middle.z)};
+    place = {DEBURR_COLUMN(place.x), DEBURR_COLUMN(place.y), DEBURR_COLUMN(place.z)};
+    lift = {DEBURR_COLUMN(lift[0]), DEBURR_COLUMN(lift[1]), DEBURR_COLUMN(lift[2])};
     normal = {DEBURR_COLUMN(normal[0]), DEBURR_COLUMN(normal[1]), DEBURR_COLUMN(normal[2])};
     bend = {DEBURR_COLUMN(bend[0]), DEBURR_COLUMN(bend[1]), DEBURR_COLUMN(bend[2]),
             DEBURR_COLUMN(bend[3]), DEBURR_COLUMN(bend[4]), DEBURR_COLUMN(bend[5])};
@@ -55,7 +56,7 @@ struct LaneMeeting {
   Lanes3 normal;
 };
 DEBURR_LANES_INLINE LaneMeeting meet(const LaneSheets& sheets, const Lanes3& p) {
-  const Lanes3 e = sheets.per_radius * (p - sheets.middle);
+  const Lanes3 e = sheets.per_radius * (p - sheets.place) - sheets.lift;
   const LanesSym3& b = sheets.bend;
   const Lanes3 up = sheets.normal - Lanes3{b.xx * e.x + b.xy * e.y + b.xz * e.z,
                                            b.xy * e.x + b.yy * e.y + b.yz * e.z,

@@ -10,7 +10,7 @@ namespace {
 std::vector<Vec3> places_of(std::span<const PackedSheet> sheets) {
   std::vector<Vec3> places;
   places.reserve(sheets.size());
-  for (const PackedSheet& sheet : sheets) places.push_back(sheet.place());
+  for (const PackedSheet& sheet : sheets) places.push_back(sheet.place);
   return places;
 }
 

@@ -18,8 +18,8 @@ TEST(PackedSheet, MeetsPointsWhereTheSheetDoes) {
       const Sheet sheet = random_sheet(random, 3, unit);
       const PackedSheet packed = sheet;
       EXPECT_TRUE(packed.valid);
-      EXPECT_LT(norm(packed.place() - sheet.frame.origin), 1e-6 * unit);
-      EXPECT_LT(norm(packed.middle - sheet.middle()), 1e-6 * unit);
+      EXPECT_EQ(packed.place, sheet.frame.origin);
+      EXPECT_LT(norm(packed.middle() - sheet.middle()), 1e-6 * unit);
       EXPECT_LT(norm(packed.unit_normal() - sheet.normal()), 1e-6);
       EXPECT_NEAR(norm(packed.unit_normal()), 1, 1e-15);
       EXPECT_NEAR(packed.certainty * packed.certainty * sheet.variance, 1, 1e-12);
