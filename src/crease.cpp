@@ -41,6 +41,19 @@ bool comes_near(std::span<const Vec3> members, const Vec3& place, double distanc
       members, [&](const Vec3& p) { return squared_norm(p - place) < distance * distance; });
 }
 
+/// Whether there may be enough sheets at an angle to a normal to be a plane. Most points are far
+/// from any edge, and this ends the search for one.
+bool may_be_a_plane(const Vec3& normal, std::span<const Found> near, const PackedSheet* sheets) {
+  constexpr double rounding = 1e-6;
+  std::size_t others = 0;
+  for (const Found& f : near) {
+    const auto& n = sheets[f.index].normal;
+    const double cosine = n[0] * normal.x + n[1] * normal.y + n[2] * normal.z;
+    others += (cosine < other_sheet + rounding) & (cosine > opposite - rounding) ? 1U : 0U;
+  }
+  return others >= fewest_members;
+}
+
 }  // namespace
 
 double CreaseFinder::side_of(const Plane& plane, std::span<const Vec3> members) const {
@@ -63,20 +76,18 @@ std::vector<CreaseFinder::Plane> CreaseFinder::find_planes(const Blend& blend, s
   struct Candidate {
     Vec3 middle;
     Vec3 normal;
-    double variance;
+    double certainty;
   };
+  if (!may_be_a_plane(blend.normal, near, sheets_.data())) return {};
   std::vector<Candidate> candidates;
   std::vector<Vec3> own_members;
   const double limit = reach() * reach();
-  double surest = sheets_[own].variance;
+  double surest = sheets_[own].certainty;
+  for (const Found& f : near) surest = std::max(surest, sheets_[f.index].certainty);
   for (const Found& f : near) {
-    if (sheets_[f.index].valid) surest = std::min(surest, sheets_[f.index].variance);
-  }
-  for (const Found& f : near) {
-    const Sheet& sheet = sheets_[f.index];
-    if (!sheet.valid) continue;
+    const PackedSheet& sheet = sheets_[f.index];
     const Vec3 middle = sheet.middle();
-    const Vec3 normal = sheet.normal();
+    const Vec3 normal = sheet.unit_normal();
     const double cosine = dot(normal, blend.normal);
     if (cosine > same_sheet) {
       own_members.push_back(middle);
@@ -85,13 +96,13 @@ std::vector<CreaseFinder::Plane> CreaseFinder::find_planes(const Blend& blend, s
     if (cosine < opposite || squared_norm(middle - blend.foot) > limit) continue;
     // What the own sheet's curvature explains is no edge.
     if (dot(sheets_[own].meet(middle).normal, normal) > other_sheet) continue;
-    if (cosine < other_sheet) candidates.push_back({middle, normal, sheet.variance});
+    if (cosine < other_sheet) candidates.push_back({middle, normal, sheet.certainty});
   }
   std::vector<Plane> planes;
   while (planes.size() < most_planes && candidates.size() >= fewest_members) {
     // The surest sheet leads; those that agree with it join.
-    const auto lead = std::ranges::min_element(candidates, {}, &Candidate::variance);
-    if (lead->variance > most_variance * surest) break;
+    const auto lead = std::ranges::max_element(candidates, {}, &Candidate::certainty);
+    if (most_variance * lead->certainty * lead->certainty < surest * surest) break;
     const Vec3 direction = lead->normal;
     Plane plane;
     Vec3 normals;
@@ -99,7 +110,7 @@ std::vector<CreaseFinder::Plane> CreaseFinder::find_planes(const Blend& blend, s
     double total = 0;
     for (const Candidate& c : candidates) {
       if (dot(c.normal, direction) < same_sheet) continue;
-      const double w = 1 / c.variance;
+      const double w = c.certainty * c.certainty;
       normals += w * c.normal;
       center += w * c.middle;
       total += w;

@@ -9,7 +9,7 @@
 
 #include "deburr/features.hpp"
 #include "kd_tree.hpp"
-#include "sheet.hpp"
+#include "packed_sheet.hpp"
 #include "sheet_blend.hpp"
 #include "sheet_shares.hpp"
 
@@ -30,7 +30,7 @@ struct Landing {
 class CreaseFinder {
  public:
   /// @param spacing  of the points, for what counts as on an edge
-  CreaseFinder(std::span<const Sheet> sheets, const BlendScales& scales, double spacing)
+  CreaseFinder(std::span<const PackedSheet> sheets, const BlendScales& scales, double spacing)
       : sheets_(sheets), scales_(scales), spacing_(spacing) {}
 
   /// Distance from the place of a point within which nodes are to be given to land().
@@ -38,7 +38,7 @@ class CreaseFinder {
 
   /// @param point  where it was measured
   /// @param blend  where it lands on its own sheet
-  /// @param near  nodes around it, nearest first
+  /// @param near  sheets around it, nearest first, all valid
   [[nodiscard]] Landing land(const Vec3& point, const Blend& blend, std::uint32_t own,
                              std::span<const Found> near) const;
 
@@ -59,7 +59,7 @@ class CreaseFinder {
                    Landing& landing) const;
   [[nodiscard]] double side_of(const Plane& plane, std::span<const Vec3> members) const;
 
-  std::span<const Sheet> sheets_;
+  std::span<const PackedSheet> sheets_;
   BlendScales scales_;
   double spacing_;
 };

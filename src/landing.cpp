@@ -59,7 +59,6 @@ class Lander {
   struct Scratch {
     NearestBeside of_even, of_all;
     std::vector<Found> near;
-    std::vector<double> variances;
   };
 
   /// Where a point of a node comes to lie from where it was taken to lie so far.
@@ -73,7 +72,7 @@ class Lander {
     }
     std::uint32_t own = set_.of(node);
     if (input_.parts.surer_sheet) {
-      own = surer_sheet(point, own, near, sheets_, input_.noise, scratch.variances);
+      own = surer_sheet(point, own, near, sheets_, input_.noise);
     }
     if (own == SheetSet::none) return on_one_sheet(place, normal);
     const Found alone{0, own};
@@ -89,7 +88,7 @@ class Lander {
  private:
   const AutomaticInput& input_;
   const SheetSet& set_;
-  std::span<const Sheet> sheets_;
+  std::span<const PackedSheet> sheets_;
   std::span<const std::uint8_t> by_edge_;
   std::size_t blended_;
   BlendScales scales_;

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "kd_tree.hpp"
-#include "sheet.hpp"
+#include "packed_sheet.hpp"
 
 namespace deburr {
 
@@ -25,10 +25,10 @@ struct BlendScales {
 /// Moves a point onto the mean of the sheets near its place, each weighted by how near and how sure
 /// it is, as far as they are of one smooth surface with its own sheet.
 /// Source: aggregation of local estimates, Xu and Foi, TVCG 2019.
-/// @param near  nodes near `place`, nearest first
-/// @param own  the node of the point
+/// @param near  sheets near `place`, nearest first, all valid
+/// @param own  the sheet of the point, valid
 Blend blend_sheets(const Vec3& point, const Vec3& place, std::uint32_t own,
-                   std::span<const Found> near, std::span<const Sheet> sheets,
+                   std::span<const Found> near, std::span<const PackedSheet> sheets,
                    const BlendScales& scales);
 
 }  // namespace deburr

@@ -7,10 +7,10 @@
 namespace deburr {
 namespace {
 
-std::vector<Vec3> places_of(std::span<const Sheet> sheets) {
+std::vector<Vec3> places_of(std::span<const PackedSheet> sheets) {
   std::vector<Vec3> places;
   places.reserve(sheets.size());
-  for (const Sheet& sheet : sheets) places.push_back(sheet.frame.origin);
+  for (const PackedSheet& sheet : sheets) places.push_back(sheet.place);
   return places;
 }
 

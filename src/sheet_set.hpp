@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "kd_tree.hpp"
-#include "sheet.hpp"
+#include "packed_sheet.hpp"
 
 namespace deburr {
 
 /// Valid sheets of an even choice of the nodes, and then of further ones by edges.
 struct NodeSheets {
-  std::vector<Sheet> sheets;
+  std::vector<PackedSheet> sheets;
   std::vector<std::uint32_t> nodes;  ///< that each is of, ascending in both parts
   std::size_t even = 0;              ///< sheets of the even choice
 };
@@ -33,7 +33,7 @@ class SheetSet {
   SheetSet& operator=(const SheetSet&) = delete;
   ~SheetSet() = default;
 
-  [[nodiscard]] std::span<const Sheet> sheets() const { return sheets_; }
+  [[nodiscard]] std::span<const PackedSheet> sheets() const { return sheets_; }
   /// Of the places of the even choice, which are the first of sheets().
   [[nodiscard]] const KdTree& even() const { return even_; }
   /// Of the places of all sheets.
@@ -44,7 +44,7 @@ class SheetSet {
   [[nodiscard]] std::uint32_t of(std::uint32_t node) const { return of_[node]; }
 
  private:
-  std::vector<Sheet> sheets_;
+  std::vector<PackedSheet> sheets_;
   std::vector<std::uint32_t> of_;
   std::vector<Vec3> places_;
   KdTree even_;

@@ -4,10 +4,9 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "kd_tree.hpp"
-#include "sheet.hpp"
+#include "packed_sheet.hpp"
 
 namespace deburr {
 
@@ -17,11 +16,9 @@ namespace deburr {
 /// what has at most three times the lower quartile of the variances around.
 /// @param point  where it was measured
 /// @param own  KdTree::no_point for none
-/// @param near  sheets around it, nearest first
+/// @param near  sheets around it, nearest first, all valid
 /// @param noise  standard deviation: a point is no farther than three times that from its sheet
-/// @param variances  a buffer
 std::uint32_t surer_sheet(const Vec3& point, std::uint32_t own, std::span<const Found> near,
-                          std::span<const Sheet> sheets, double noise,
-                          std::vector<double>& variances);
+                          std::span<const PackedSheet> sheets, double noise);
 
 }  // namespace deburr

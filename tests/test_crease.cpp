@@ -20,20 +20,17 @@ class Faces {
     for (int i = 0; i < 8; ++i) {
       for (int j = 0; j < 8; ++j) {
         places_.push_back(corner + (i + 0.5) * along + (j + 0.5) * across);
-        Sheet sheet;
-        sheet.frame = frame_along(places_.back(), normal);
-        sheet.variance = 1e-4;
-        sheet.radius = 3;
-        sheet.valid = true;
-        sheets_.push_back(sheet);
+        sheets_.push_back(flat(places_.back(), normal, variance()));
       }
     }
   }
 
-  [[nodiscard]] double variance() const { return sheets_[0].variance; }
+  static double variance() { return 1e-4; }
   void set_variance(const Vec3& normal, double variance) {
-    for (Sheet& sheet : sheets_) {
-      if (dot(sheet.frame.w, normal) > 0.99) sheet.variance = variance;
+    for (std::size_t k = 0; k < sheets_.size(); ++k) {
+      if (dot(sheets_[k].unit_normal(), normal) > 0.99) {
+        sheets_[k] = flat(places_[k], normal, variance);
+      }
     }
   }
 
@@ -45,7 +42,7 @@ class Faces {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::uint32_t i = 0; i < places_.size(); ++i) {
       const double square = squared_norm(places_[i] - point);
-      if (dot(sheets_[i].frame.w, normal) < 0.99 || square >= nearest) continue;
+      if (dot(sheets_[i].unit_normal(), normal) < 0.99 || square >= nearest) continue;
       nearest = square;
       own = i;
     }
@@ -56,8 +53,17 @@ class Faces {
   }
 
  private:
+  static PackedSheet flat(const Vec3& place, const Vec3& normal, double variance) {
+    Sheet sheet;
+    sheet.frame = frame_along(place, normal);
+    sheet.variance = variance;
+    sheet.radius = 3;
+    sheet.valid = true;
+    return sheet;
+  }
+
   std::vector<Vec3> places_;
-  std::vector<Sheet> sheets_;
+  std::vector<PackedSheet> sheets_;
 };
 
 constexpr Vec3 up{0, 0, 1};
@@ -175,7 +181,7 @@ TEST(Crease, PutsFeetOntoTheEdgeBeyondIt) {
 // Sheets of a few points that agree by chance have thirty times the variance of those around.
 TEST(Crease, IsNoneOfSheetsThatAreFarLessSure) {
   Faces faces = two_faces(-1);
-  const double limit = 30 * faces.variance();
+  const double limit = 30 * Faces::variance();
   faces.set_variance({1, 0, 0}, 0.9 * limit);
   expect_landing(faces.land({0.3, 0.2, 0.1}, up), {0, 0.2, 0}, Feature::Edge);
   faces.set_variance({1, 0, 0}, 1.1 * limit);

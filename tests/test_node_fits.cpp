@@ -53,7 +53,7 @@ TEST(NodeFits, SurveyOneOfSoManyNodes) {
     for (std::size_t k = 0; k < all.sheets.size(); ++k) {
       EXPECT_EQ(all.nodes[k] % step, 0U);
       EXPECT_TRUE(all.sheets[k].valid);
-      EXPECT_EQ(all.sheets[k].frame.origin, flat.truth[all.nodes[k]]);
+      EXPECT_EQ(all.sheets[k].place, flat.truth[all.nodes[k]]);
     }
     // Fewer of them at all scales.
     const ScaleSurvey& scales = survey.scales;
@@ -87,7 +87,7 @@ TEST(NodeFits, AreAtAllNodesByEdgesAndAtAnEvenChoiceElsewhere) {
   EXPECT_EQ(further_nodes(sheets), further);
   for (std::size_t k = 0; k < sheets.sheets.size(); ++k) {
     EXPECT_LT(std::abs(sheets.sheets[k].middle().z), sigma);
-    EXPECT_EQ(sheets.sheets[k].frame.origin, flat.truth[sheets.nodes[k]]);
+    EXPECT_EQ(sheets.sheets[k].place, flat.truth[sheets.nodes[k]]);
   }
 }
 
@@ -114,7 +114,8 @@ TEST(NodeFits, HaveTheSameBitsForAnyThreads) {
   const Survey many = survey_nodes(flat.levels, sigma, 2, {}, {.threads = 5});
   ASSERT_EQ(one.sheets.nodes, many.sheets.nodes);
   for (std::size_t i = 0; i < one.sheets.sheets.size(); ++i) {
-    EXPECT_EQ(one.sheets.sheets[i].height.c, many.sheets.sheets[i].height.c);
+    EXPECT_EQ(one.sheets.sheets[i].middle(), many.sheets.sheets[i].middle());
+    EXPECT_EQ(one.sheets.sheets[i].bend, many.sheets.sheets[i].bend);
   }
 }
 
@@ -125,6 +126,8 @@ NodeSheets numbered_sheets(std::initializer_list<std::uint32_t> rests) {
     for (std::uint32_t i = rest; i < 40; i += 4) {
       Sheet sheet;
       sheet.frame = frame_along({static_cast<double>(i), 0, 0}, {0, 0, 1});
+      sheet.variance = 1;
+      sheet.radius = 1;
       sheet.valid = true;
       fitted.sheets.push_back(sheet);
       fitted.nodes.push_back(i);
@@ -149,7 +152,7 @@ TEST(NodeFits, LeaveOutWhatCannotBeFitted) {
   for (std::size_t k = 0; k < all.nodes.size(); ++k) {
     EXPECT_EQ(all.nodes[k] % 3 == 0, k < all.even);
     EXPECT_FALSE(normals[all.nodes[k]] == Vec3{});
-    EXPECT_EQ(all.sheets[k].frame.origin, flat.truth[all.nodes[k]]);
+    EXPECT_EQ(all.sheets[k].place, flat.truth[all.nodes[k]]);
   }
 }
 
@@ -163,7 +166,7 @@ TEST(SheetSet, KeepsTheEvenChoiceFirst) {
       EXPECT_EQ(set.of(i), SheetSet::none);
     } else {
       ASSERT_LT(set.of(i), 20U);
-      EXPECT_EQ(set.sheets()[set.of(i)].frame.origin.x, i);
+      EXPECT_EQ(set.sheets()[set.of(i)].place.x, i);
       EXPECT_EQ(set.of(i) < 10, i % 4 == 0);
     }
   }
