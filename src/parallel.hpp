@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -94,13 +95,13 @@ void run_both(const First& first, const Second& second) {
 }
 
 /// Sorts values that are all different, so that the result does not depend on the threads.
-template <typename Value>
-void parallel_sort(std::vector<Value>& values, const Execution& execution) {
+template <typename Value, typename Less = std::less<Value>>
+void parallel_sort(std::vector<Value>& values, const Execution& execution, const Less& before = {}) {
   const auto less = [&](const Value& a, const Value& b) {
     // A sort of many millions takes seconds, and has no other place to stop at.
     thread_local std::uint32_t comparisons = 0;
     if (++comparisons % (64 * block_size) == 0) check_cancelled(execution);
-    return a < b;
+    return before(a, b);
   };
   with_threads(execution, [&] { tbb::parallel_sort(values.begin(), values.end(), less); });
 }

@@ -45,22 +45,40 @@ constexpr std::size_t graph_neighbors = 24;
 constexpr double cell_spacings = 1.4;
 constexpr double cell_noises = 1.2;
 
-std::vector<Vec3> first_normals(Points points, Normals given, double ratio,
-                                const Execution& execution) {
+/// First normals, and the neighbourhoods of all rounds.
+struct Start {
+  std::vector<Vec3> normals;
+  Neighborhoods neighborhoods;
+};
+
+Start find_start(Points points, Normals given, double ratio, double radius,
+                 const Execution& execution) {
   const auto count = static_cast<std::size_t>(
       std::clamp(neighbors_per_noise * ratio * ratio, fewest_neighbors, double{most_neighbors}));
-  const Neighborhoods around =
-      find_neighbors(points, {.max_count = count}, sub_execution(execution, "pilot", 0, 0.5));
+  Neighborhoods around =
+      find_neighbors(points, {.max_count = count}, sub_execution(execution, "pilot", 0, 0.3));
   std::vector<Vec3> normals =
-      estimate_normals(points, around, sub_execution(execution, "pilot", 0.5, 0.6));
+      estimate_normals(points, around, sub_execution(execution, "pilot", 0.3, 0.4));
   for (std::size_t i = 0; i < given.size(); ++i) {
     if (!is_zero(given[i])) normals[i] = given[i];
   }
-  if (count <= graph_neighbors) return orient_normals(points, normals, around, execution);
-  return orient_normals(points, normals,
-                        find_neighbors(points, {.max_count = graph_neighbors},
-                                       sub_execution(execution, "pilot", 0.6, 0.8)),
-                        execution);
+  Start start;
+  const Execution quiet = without_progress(execution);
+  with_threads(execution, [&] {
+    // One thread does most of the turning, so the others look for neighbours meanwhile.
+    run_both(
+        [&] {
+          if (count > graph_neighbors) {
+            around = find_neighbors(points, {.max_count = graph_neighbors}, quiet);
+          }
+          start.normals = orient_normals(points, normals, around, quiet);
+        },
+        [&] {
+          start.neighborhoods =
+              find_neighbors(points, {.max_count = most_neighbors, .radius = radius}, quiet);
+        });
+  });
+  return start;
 }
 
 }  // namespace
@@ -78,13 +96,10 @@ Pilot find_pilot(const AutomaticInput& input, const Execution& execution) {
   const double spacing = input.spacing * std::sqrt(static_cast<double>(input.points.size()) /
                                                    static_cast<double>(measured.size()));
   // Given normals are of single points, and their signs may be at odds.
-  std::vector<Vec3> normals =
-      first_normals(measured, merge ? Normals{} : input.normals, input.noise / spacing,
-                    sub_execution(execution, "pilot", 0, 0.4));
   const double scale = scale_spacings * spacing + scale_noises * input.noise;
-  Neighborhoods neighborhoods =
-      find_neighbors(measured, {.max_count = most_neighbors, .radius = radius_scales * scale},
-                     sub_execution(execution, "pilot", 0.4, 0.6));
+  auto [normals, neighborhoods] =
+      find_start(measured, merge ? Normals{} : input.normals, input.noise / spacing,
+                 radius_scales * scale, sub_execution(execution, "pilot", 0, 0.6));
   std::vector<Vec3> places(measured.begin(), measured.end());
   const auto [rounds, step] = merge ? of_cells : of_points;
   FeatureField field;

@@ -14,13 +14,7 @@ namespace {
 
 struct Place {
   std::uint64_t code;
-  Vec3 at;
   std::uint32_t index;
-
-  friend bool operator<(const Place& a, const Place& b) {
-    return std::tie(a.code, a.at.x, a.at.y, a.at.z, a.index) <
-           std::tie(b.code, b.at.x, b.at.y, b.at.z, b.index);
-  }
 };
 
 }  // namespace
@@ -38,10 +32,15 @@ std::vector<std::uint32_t> spatial_order(Points points, const Execution& executi
   std::vector<Place> places(points.size());
   parallel_for(points.size(), execution, [&](std::size_t i) {
     const Vec3& p = points[i];
-    places[i] = {morton_code(cell(p.x, box.low.x), cell(p.y, box.low.y), cell(p.z, box.low.z)), p,
+    places[i] = {morton_code(cell(p.x, box.low.x), cell(p.y, box.low.y), cell(p.z, box.low.z)),
                  static_cast<std::uint32_t>(i)};
   });
-  parallel_sort(places, execution);
+  parallel_sort(places, execution, [points](const Place& a, const Place& b) {
+    if (a.code != b.code) return a.code < b.code;
+    const Vec3& p = points[a.index];
+    const Vec3& q = points[b.index];
+    return std::tie(p.x, p.y, p.z, a.index) < std::tie(q.x, q.y, q.z, b.index);
+  });
   std::vector<std::uint32_t> order(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = places[i].index;
   return order;
