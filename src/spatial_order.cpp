@@ -7,18 +7,10 @@
 
 #include "box.hpp"
 #include "parallel.hpp"
+#include "z_order.hpp"
 
 namespace deburr {
 namespace {
-
-/// Spreads the low 21 bits of v so that two zeros follow each.
-std::uint64_t spread(std::uint64_t v) {
-  v = (v | v << 32) & 0x001f00000000ffffU;
-  v = (v | v << 16) & 0x001f0000ff0000ffU;
-  v = (v | v << 8) & 0x100f00f00f00f00fU;
-  v = (v | v << 4) & 0x10c30c30c30c30c3U;
-  return (v | v << 2) & 0x1249249249249249U;
-}
 
 struct Place {
   std::uint64_t code;
@@ -41,13 +33,13 @@ std::vector<std::uint32_t> spatial_order(Points points, const Execution& executi
   const auto cell = [&](double v, double from) {
     constexpr double cells = (1 << 21) - 1;
     const double share = largest > 0 ? (0.5 * v - 0.5 * from) / largest : 0;
-    return spread(static_cast<std::uint64_t>(cells * std::min(share, 1.0)));
+    return static_cast<std::uint64_t>(cells * std::min(share, 1.0));
   };
   std::vector<Place> places(points.size());
   parallel_for(points.size(), execution, [&](std::size_t i) {
     const Vec3& p = points[i];
     const std::uint64_t code =
-        cell(p.x, box.low.x) | cell(p.y, box.low.y) << 1 | cell(p.z, box.low.z) << 2;
+        z_order(cell(p.x, box.low.x), cell(p.y, box.low.y), cell(p.z, box.low.z));
     places[i] = {code, p, static_cast<std::uint32_t>(i)};
   });
   parallel_sort(places, execution);
