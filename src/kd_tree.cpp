@@ -7,12 +7,14 @@
 #include <utility>
 
 #include "found_sort.hpp"
+#include "halves.hpp"
 #include "parallel.hpp"
+#include "tree_layout.hpp"
 
 namespace deburr {
 namespace {
 
-constexpr std::uint32_t leaf_size = 12;
+constexpr std::uint32_t leaf_size = 16;
 
 /// Nearest points so few are kept in order as they come; of more, the farthest are dropped now and
 /// then.
@@ -20,80 +22,33 @@ constexpr std::size_t longest_list = 24;
 
 constexpr std::uint32_t any_index = std::numeric_limits<std::uint32_t>::max();
 
-/// Trees with no more points are built by one thread.
-constexpr std::uint32_t built_by_one = 8 * block_size;
-
-/// Numbers of nodes of the trees over n and n + 1 points. Each half of either is one of two sizes.
-std::pair<std::uint32_t, std::uint32_t> nodes_over_both(std::uint32_t n) {
-  if (n < leaf_size) return {1, 1};
-  const auto [half, more] = nodes_over_both(n / 2);
-  const bool odd = n % 2 != 0;
-  return {n == leaf_size ? 1 : 1 + half + (odd ? more : half), 1 + (odd ? more : half) + more};
-}
-std::uint32_t nodes_over(std::uint32_t n) { return nodes_over_both(n).first; }
-
 }  // namespace
 
-/// Sorted by place, since looking each up would take longer than moving it.
-struct KdTree::Item {
-  Vec3 at;
-  std::uint32_t index;
-};
-
-KdTree::KdTree(Points points, const Execution& execution)
-    : points_(points), order_(points.size()), sorted_(points.size()) {
-  if (points.empty()) return;
-  std::vector<Item> items(points.size());
-  for (std::uint32_t i = 0; i < items.size(); ++i) items[i] = {points[i], i};
-  const auto size = static_cast<std::uint32_t>(points.size());
-  nodes_.resize(nodes_over(size));
-  if (size <= built_by_one) {
-    build(0, 0, size, items, execution);
-  } else {
-    with_threads(execution, [&] { build(0, 0, size, items, execution); });
-  }
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    order_[i] = items[i].index;
-    sorted_[i] = items[i].at;
-  }
-}
-
-void KdTree::build(std::uint32_t self, std::uint32_t begin, std::uint32_t end,
-                   std::vector<Item>& items, const Execution& execution) {
-  if (end - begin > block_size) check_cancelled(execution);
-  Box box;
-  std::uint32_t smallest = items[begin].index;
-  for (std::uint32_t i = begin; i < end; ++i) {
-    box.add(items[i].at);
-    smallest = std::min(smallest, items[i].index);
-  }
-  nodes_[self] = {box, begin, end, 0, smallest};
-  if (end - begin <= leaf_size) return;
-
-  // Points at one place are split by index, so that a search among them ends early too.
-  const Vec3 extent = half_extent(box);
-  const double largest = std::max({extent.x, extent.y, extent.z});
-  const double Vec3::*axis = extent.x == largest   ? &Vec3::x
-                             : extent.y == largest ? &Vec3::y
-                                                   : &Vec3::z;
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  CancelWatch watch(execution);
-  std::nth_element(items.begin() + begin, items.begin() + middle, items.begin() + end,
-                   [axis, &watch](const Item& a, const Item& b) {
-                     watch();
-                     const double va = a.at.*axis;
-                     const double vb = b.at.*axis;
-                     return va != vb ? va < vb : a.index < b.index;
-                   });
-  const std::uint32_t right = self + 1 + nodes_over(middle - begin);
-  nodes_[self].right = right;
-  const auto left_half = [&] { build(self + 1, begin, middle, items, execution); };
-  const auto right_half = [&] { build(right, middle, end, items, execution); };
-  if (end - begin > built_by_one) {
-    run_both(left_half, right_half);
-  } else {
-    left_half();
-    right_half();
+KdTree::KdTree(Points points, const Execution& execution) : points_(points) {
+  TreeLayout layout = lay_out_tree(points, leaf_size, execution);
+  order_ = std::move(layout.order);
+  sorted_.resize(order_.size());
+  nodes_.resize(layout.ranges.size());
+  const Execution quiet = without_progress(execution);
+  parallel_for(nodes_.size(), quiet, [&](std::size_t k) {
+    const auto& [begin, end, right] = layout.ranges[k];
+    Node& node = nodes_[k];
+    node = {{}, begin, end, right, any_index};
+    if (right != 0) return;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      sorted_[i] = points[order_[i]];
+      node.box.add(sorted_[i]);
+      node.smallest = std::min(node.smallest, order_[i]);
+    }
+  });
+  // Children come after their parent.
+  for (std::size_t k = nodes_.size(); k-- > 0;) {
+    Node& node = nodes_[k];
+    if (node.right == 0) continue;
+    for (const Node* const child : {&nodes_[k + 1], &nodes_[node.right]}) {
+      node.box.add(child->box);
+      node.smallest = std::min(node.smallest, child->smallest);
+    }
   }
 }
 
@@ -206,6 +161,23 @@ void KdTree::add_runs(std::uint32_t node, const Vec3& at, double squared_radius,
   } else {
     runs.push_back({n.begin, n.end});
   }
+}
+
+std::vector<std::uint32_t> KdTree::groups(std::size_t most) const {
+  std::vector<std::uint32_t> begins;
+  std::uint32_t end = 0;  // of what is in a group already
+  for (const Node& n : nodes_) {
+    if (n.begin < end || (n.right != 0 && n.end - n.begin > most)) continue;
+    if (n.end - n.begin <= most) {
+      begins.push_back(n.begin);
+    } else {
+      for (const std::uint32_t at : halves(n.end - n.begin, most)) begins.push_back(n.begin + at);
+      begins.pop_back();
+    }
+    end = n.end;
+  }
+  begins.push_back(end);
+  return begins;
 }
 
 std::size_t KdTree::count_within(std::uint32_t query, double squared_radius) const {

@@ -23,7 +23,7 @@ struct Found {
   }
 };
 
-/// A balanced k-d tree over points that are all finite. Which points a search finds, and in which
+/// A tree of boxes over points that are all finite. Which points a search finds, and in which
 /// order, is defined by (distance, index) alone.
 class KdTree {
  public:
@@ -67,9 +67,12 @@ class KdTree {
   [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
   /// The points in that order.
   [[nodiscard]] Points along_leaves() const { return sorted_; }
+  /// Begins of the largest nodes of at most `most` points, >= 1, in that order, parts of leaves
+  /// among them; ends with the number of points.
+  [[nodiscard]] std::vector<std::uint32_t> groups(std::size_t most) const;
 
  private:
-  /// A node owns order_[begin, end); its children, if any, split that at the middle.
+  /// A node owns order_[begin, end), which its children, if any, split.
   struct Node {
     Box box;
     std::uint32_t begin, end;
@@ -77,9 +80,6 @@ class KdTree {
     std::uint32_t smallest;  ///< smallest index of a point in here
   };
 
-  struct Item;
-  void build(std::uint32_t self, std::uint32_t begin, std::uint32_t end, std::vector<Item>& items,
-             const Execution& execution);
   /// `excluded` is the index of a point that is not to be found.
   void nearest(const Vec3& at, std::uint32_t excluded, std::size_t count, double squared_radius,
                std::vector<Found>& found) const;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "halves.hpp"
 #include "parallel.hpp"
 
 namespace deburr {

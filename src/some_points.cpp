@@ -6,24 +6,8 @@
 
 namespace deburr {
 
-std::vector<std::uint32_t> halves(std::size_t n, std::size_t most) {
-  std::vector<std::uint32_t> begins;
-  const auto split = [&](const auto& self, std::size_t begin, std::size_t end) -> void {
-    if (end - begin <= most) {
-      begins.push_back(static_cast<std::uint32_t>(begin));
-      return;
-    }
-    const std::size_t middle = begin + (end - begin) / 2;
-    self(self, begin, middle);
-    self(self, middle, end);
-  };
-  split(split, 0, n);
-  begins.push_back(static_cast<std::uint32_t>(n));
-  return begins;
-}
-
 std::vector<std::uint32_t> SomePoints::groups(std::size_t most) const {
-  std::vector<std::uint32_t> begins = halves(tree_.order().size(), most);
+  std::vector<std::uint32_t> begins = tree_.groups(most);
   if (places_.empty()) return begins;
   std::uint32_t kept = 0;
   std::uint32_t at = 0;

@@ -37,7 +37,7 @@ class SomePoints {
   [[nodiscard]] std::span<const std::uint32_t> order() const {
     return places_.empty() ? std::span(tree_.order()) : std::span(order_);
   }
-  /// Begins of groups of at most `most` in the order, those of nodes of the tree, none empty; ends
+  /// Begins of groups of at most `most` in the order, those of KdTree::groups(), none empty; ends
   /// with the number of points.
   [[nodiscard]] std::vector<std::uint32_t> groups(std::size_t most) const;
   /// The `count` nearest to a finite place, as KdTree::nearest_to().
@@ -50,10 +50,6 @@ class SomePoints {
   std::vector<std::uint32_t> places_;  ///< empty where all are there
   std::vector<std::uint32_t> order_;
 };
-
-/// Begins of the ranges that halving [0, n) gives until none is larger than `most`: those of the
-/// nodes of a balanced tree over n points. Ends with n.
-[[nodiscard]] std::vector<std::uint32_t> halves(std::size_t n, std::size_t most);
 
 template <typename Kept>
 SomePoints::SomePoints(Points points, const KdTree& tree, const Kept& kept)

@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "box.hpp"
-#include "morton.hpp"
 #include "parallel.hpp"
+#include "z_order.hpp"
 
 namespace deburr {
 namespace {
@@ -25,14 +25,14 @@ std::vector<std::uint32_t> spatial_order(Points points, const Execution& executi
   const Vec3 half = half_extent(box);
   const double largest = std::max({half.x, half.y, half.z});
   const auto cell = [&](double v, double from) {
-    constexpr auto cells = static_cast<double>(morton_cells - 1);
+    constexpr auto cells = static_cast<double>(z_order_cells - 1);
     const double share = largest > 0 ? (0.5 * v - 0.5 * from) / largest : 0;
     return static_cast<std::uint64_t>(cells * std::min(share, 1.0));
   };
   std::vector<Place> places(points.size());
   parallel_for(points.size(), execution, [&](std::size_t i) {
     const Vec3& p = points[i];
-    places[i] = {morton_code(cell(p.x, box.low.x), cell(p.y, box.low.y), cell(p.z, box.low.z)),
+    places[i] = {z_order(cell(p.x, box.low.x), cell(p.y, box.low.y), cell(p.z, box.low.z)),
                  static_cast<std::uint32_t>(i)};
   });
   parallel_sort(places, execution, [points](const Place& a, const Place& b) {

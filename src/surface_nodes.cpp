@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "box.hpp"
-#include "morton.hpp"
 #include "parallel.hpp"
 #include "unit.hpp"
+#include "z_order.hpp"
 
 namespace deburr {
 namespace {
@@ -70,7 +70,7 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
   const Vec3 extent = box.high - box.low;
   const double longest = std::max({extent.x, extent.y, extent.z});
   // A whole number of cells: a cell size that differs in its last bits must not move the borders.
-  const double count = std::clamp(std::ceil(longest / cell), 1.0, double{morton_cells});
+  const double count = std::clamp(std::ceil(longest / cell), 1.0, double{z_order_cells});
   const double per_length = longest > 0 ? count / longest : 0;
   const auto along = [&](double v, double low) {
     // The far end of the box belongs to the last cell.
@@ -79,7 +79,7 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
   std::vector<Key> keys(places.size());
   parallel_for(keys.size(), execution, [&](std::size_t i) {
     const Vec3& p = places[i];
-    keys[i] = {morton_code(along(p.x, box.low.x), along(p.y, box.low.y), along(p.z, box.low.z)),
+    keys[i] = {z_order(along(p.x, box.low.x), along(p.y, box.low.y), along(p.z, box.low.z)),
                normals.empty() ? 0 : part_of(normals[i], bins), static_cast<std::uint32_t>(i)};
   });
   parallel_sort(keys, execution);

@@ -6,8 +6,8 @@
 
 namespace deburr {
 
-/// Cells along one side that a code has room for.
-inline constexpr std::uint64_t morton_cells = std::uint64_t{1} << 21;
+/// Cells along each axis that the curve has room for.
+inline constexpr std::uint64_t z_order_cells = std::uint64_t{1} << 21;
 
 /// Spreads the low 21 bits of v so that two zeros follow each.
 inline std::uint64_t spread_bits(std::uint64_t v) {
@@ -18,9 +18,9 @@ inline std::uint64_t spread_bits(std::uint64_t v) {
   return (v | v << 2) & 0x1249249249249249U;
 }
 
-/// Where a cell stands on a Morton curve: near on it means near in space.
-/// @param x,y,z  of the cell, < morton_cells
-inline std::uint64_t morton_code(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+/// Where a cell comes along the Z-order curve. Near on it means near in space.
+/// @param x,y,z  of the cell, < z_order_cells
+inline std::uint64_t z_order(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
   return spread_bits(x) | spread_bits(y) << 1 | spread_bits(z) << 2;
 }
 
