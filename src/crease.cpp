@@ -25,6 +25,7 @@ constexpr double most_variance = 30;
 /// Points of an edge are those within so many spacings of it.
 constexpr double edge_width = 0.8;
 
+constexpr double rounding = 1e-6;   ///< of cosines in single precision, at most
 constexpr double one_place = 1e-9;  ///< in spacings: places closer than that differ by rounding
 
 /// The nearest point to `at` on the line where plane `normal` through `at` meets another plane.
@@ -39,19 +40,6 @@ std::optional<Vec3> onto_line(const Vec3& at, const Vec3& normal, const Vec3& ot
 bool comes_near(std::span<const Vec3> members, const Vec3& place, double distance) {
   return std::ranges::any_of(
       members, [&](const Vec3& p) { return squared_norm(p - place) < distance * distance; });
-}
-
-/// Whether there may be enough sheets at an angle to a normal to be a plane. Most points are far
-/// from any edge, and this ends the search for one.
-bool may_be_a_plane(const Vec3& normal, std::span<const Found> near, const PackedSheet* sheets) {
-  constexpr double rounding = 1e-6;
-  std::size_t others = 0;
-  for (const Found& f : near) {
-    const auto& n = sheets[f.index].normal;
-    const double cosine = n[0] * normal.x + n[1] * normal.y + n[2] * normal.z;
-    others += (cosine < other_sheet + rounding) & (cosine > opposite - rounding) ? 1U : 0U;
-  }
-  return others >= fewest_members;
 }
 
 }  // namespace
@@ -78,25 +66,29 @@ std::vector<CreaseFinder::Plane> CreaseFinder::find_planes(const Blend& blend, s
     Vec3 normal;
     double certainty;
   };
-  if (!may_be_a_plane(blend.normal, near, sheets_.data())) return {};
   std::vector<Candidate> candidates;
-  std::vector<Vec3> own_members;
   const double limit = reach() * reach();
-  double surest = sheets_[own].certainty;
-  for (const Found& f : near) surest = std::max(surest, sheets_[f.index].certainty);
   for (const Found& f : near) {
     const PackedSheet& sheet = sheets_[f.index];
+    // Most points are far from any edge, and this is all that is done for them.
+    const double roughly = sheet.cosine(blend.normal);
+    if (roughly > other_sheet + rounding || roughly < opposite - rounding) continue;
     const Vec3 middle = sheet.middle();
     const Vec3 normal = sheet.unit_normal();
     const double cosine = dot(normal, blend.normal);
-    if (cosine > same_sheet) {
-      own_members.push_back(middle);
-      continue;
-    }
-    if (cosine < opposite || squared_norm(middle - blend.foot) > limit) continue;
+    if (cosine >= other_sheet || cosine < opposite) continue;
+    if (squared_norm(middle - blend.foot) > limit) continue;
     // What the own sheet's curvature explains is no edge.
     if (dot(sheets_[own].meet(middle).normal, normal) > other_sheet) continue;
-    if (cosine < other_sheet) candidates.push_back({middle, normal, sheet.certainty});
+    candidates.push_back({middle, normal, sheet.certainty});
+  }
+  if (candidates.size() < fewest_members) return {};
+  std::vector<Vec3> own_members;
+  double surest = sheets_[own].certainty;
+  for (const Found& f : near) {
+    const PackedSheet& sheet = sheets_[f.index];
+    surest = std::max(surest, sheet.certainty);
+    if (sheet.cosine(blend.normal) > same_sheet) own_members.push_back(sheet.middle());
   }
   std::vector<Plane> planes;
   while (planes.size() < most_planes && candidates.size() >= fewest_members) {

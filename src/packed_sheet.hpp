@@ -46,6 +46,8 @@ struct PackedSheet {
     const Vec3 n = widened(normal);
     return (1 / norm(n)) * n;
   }
+  /// Of the angle between that and a unit vector, to 1e-6.
+  [[nodiscard]] double cosine(const Vec3& v) const { return dot(widened(normal), v); }
 
  private:
   static Vec3 widened(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
