@@ -145,8 +145,8 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
       "fits", [&] { return survey_points(input, result, survey, part("fits", 0.4, 0.6)); });
   Shares shares;
   clock.time("landing", [&] {
-    land(input, first.nodes, std::move(first.sheets), {first.steps.survey, first.steps.around, {}}, result, &shares,
-         part("landing", 0.6, 0.65));
+    land(input, first.nodes, std::move(first.sheets), {first.steps.survey, first.steps.around, {}},
+         result, &shares, part("landing", 0.6, 0.65));
     return 0;
   });
   if (input.parts.second_pass) {
@@ -157,8 +157,9 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
     });
     survey = {};
     clock.time("landing", [&] {
-      land(input, second.nodes, std::move(second.sheets), {second.steps.even, second.steps.around, by_edge}, result,
-           nullptr, part("landing", 0.9, 1));
+      land(input, second.nodes, std::move(second.sheets),
+           {second.steps.even, second.steps.around, by_edge}, result, nullptr,
+           part("landing", 0.9, 1));
       return 0;
     });
   }

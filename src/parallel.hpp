@@ -96,7 +96,8 @@ void run_both(const First& first, const Second& second) {
 
 /// Sorts values that are all different, so that the result does not depend on the threads.
 template <typename Value, typename Less = std::less<Value>>
-void parallel_sort(std::vector<Value>& values, const Execution& execution, const Less& before = {}) {
+void parallel_sort(std::vector<Value>& values, const Execution& execution,
+                   const Less& before = {}) {
   const auto less = [&](const Value& a, const Value& b) {
     // A sort of many millions takes seconds, and has no other place to stop at.
     thread_local std::uint32_t comparisons = 0;

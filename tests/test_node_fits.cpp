@@ -147,7 +147,8 @@ TEST(NodeFits, LeaveOutWhatCannotBeFitted) {
   EXPECT_EQ(survey.sheets.nodes.size(), 286U);  // without 0 and 12
   EXPECT_EQ(survey.sheets.even, 286U);
   const std::vector<std::uint8_t> everywhere(576, 1);
-  const NodeSheets all = fit_nodes(survey.scales, levels, everywhere, sigma, {2, 3, 1, 100}, {}, {});
+  const NodeSheets all =
+      fit_nodes(survey.scales, levels, everywhere, sigma, {2, 3, 1, 100}, {}, {});
   EXPECT_EQ(all.even, 190U);  // of 192
   for (std::size_t k = 0; k < all.nodes.size(); ++k) {
     EXPECT_EQ(all.nodes[k] % 3 == 0, k < all.even);
