@@ -18,11 +18,12 @@ DEBURR_LANES_INLINE HalfLanes halves_added(const Lanes& v) {
   std::memcpy(half.data(), &v, sizeof v);
   return half[0] + half[1];
 }
+DEBURR_LANES_INLINE HalfLanes halves_added(const HalfLanes& v) { return v; }
 
 /// sum() of each value, with the same bits: four at a time, since adding up the lanes of one takes
-/// as long as a dozen additions of lanes.
-template <std::size_t count>
-DEBURR_LANES_INLINE void sum_each(const std::array<Lanes, count>& values, double* sums) {
+/// as long as a dozen additions of lanes. Each value comes as it is or with its halves added.
+template <typename Value, std::size_t count>
+DEBURR_LANES_INLINE void sum_each(const std::array<Value, count>& values, double* sums) {
   static_assert(count % 4 == 0);
   for (std::size_t k = 0; k < count; k += 4) {
     const HalfLanes a = halves_added(values[k]);

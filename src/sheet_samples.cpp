@@ -110,23 +110,26 @@ struct SheetSamples::Kernels {
     share_out<true>(blocks, count, member);
   }
 
-  /// Sums of the products of weights with the terms, and others.
-  DEBURR_MULTIVERSION
-  static void add_moments(std::span<const Block> blocks, double per_scale,
-                          WeightedQuadric::Sums& to) {
-    std::array<Lanes, sums_at_once> sums{};
+  /// Sums of the products of weights with the terms, and others, in the lanes from `first` on.
+  template <typename V>
+  DEBURR_LANES_INLINE static void add_moments(std::span<const Block> blocks, std::size_t first,
+                                              double per_scale, V* sums) {
+    const auto part = [first](const Column& from) __attribute__((always_inline)) {
+      V v;
+      std::memcpy(&v, from.data() + first, sizeof v);
+      return v;
+    };
     for (const Block& s : blocks) {
-      const Lanes share = load(s.share);
-      const Lanes w = share * load(s.weight);
-      const Lanes x = load(s.x) * per_scale;
-      const Lanes y = load(s.y) * per_scale;
-      const Lanes h = load(s.height);
-      const Lanes xx = x * x;
-      const Lanes xy = x * y;
-      const Lanes yy = y * y;
-      const std::array<Lanes, WeightedQuadric::terms> terms{w,      w * x,  w * y,
-                                                            w * xx, w * xy, w * yy};
-      for (std::size_t k = 0; k < terms.size(); ++k) {
+      const V share = part(s.share);
+      const V w = share * part(s.weight);
+      const V x = part(s.x) * per_scale;
+      const V y = part(s.y) * per_scale;
+      const V h = part(s.height);
+      const V xx = x * x;
+      const V xy = x * y;
+      const V yy = y * y;
+      const V terms[]{w, w * x, w * y, w * xx, w * xy, w * yy};
+      for (std::size_t k = 0; k < WeightedQuadric::terms; ++k) {
         sums[normal + k] += terms[k];
         sums[right + k] += terms[k] * h;
       }
@@ -143,17 +146,40 @@ struct SheetSamples::Kernels {
       sums[spread] += w * share;
       sums[shared] += share;
       sums[squared_shares] += share * share;
-      sums[used] += share > 0.0 ? all_lanes(1) : Lanes{};
+      sums[used] += share > 0.0 ? V{} + 1.0 : V{};
     }
-    std::array<double, sums_at_once> all;
+  }
+
+  using Sums = std::array<double, sums_at_once>;
+
+  // One of these is taken when the program starts. Where vectors of the processor have fewer lanes,
+  // half of them come after the others: of all at once, the compiler would put every product into
+  // memory.
+#ifdef DEBURR_TARGETS
+  [[gnu::target("avx512f")]] static Sums moments(std::span<const Block> blocks, double per_scale) {
+    std::array<Lanes, sums_at_once> sums{};
+    add_moments(blocks, 0, per_scale, sums.data());
+    Sums all;
     sum_each(sums, all.data());
-    for (std::size_t k = 0; k < to.normal.size(); ++k) to.normal[k] += all[normal + k];
-    for (std::size_t k = 0; k < to.right.size(); ++k) to.right[k] += all[right + k];
-    to.heights += all[squared_heights];
-    to.spread += all[spread];
-    to.shares += all[shared];
-    to.share_squares += all[squared_shares];
-    to.count += static_cast<std::size_t>(all[used]);
+    return all;
+  }
+  [[gnu::target("avx2")]] static Sums moments(std::span<const Block> blocks, double per_scale) {
+    return moments_by_half(blocks, per_scale);
+  }
+  [[gnu::target("default")]]
+#endif
+  static Sums
+  moments(std::span<const Block> blocks, double per_scale) {
+    return moments_by_half(blocks, per_scale);
+  }
+  DEBURR_LANES_INLINE static Sums moments_by_half(std::span<const Block> blocks, double per_scale) {
+    std::array<std::array<HalfLanes, sums_at_once>, 2> half{};
+    add_moments(blocks, 0, per_scale, half[0].data());
+    add_moments(blocks, lane_count / 2, per_scale, half[1].data());
+    for (std::size_t k = 0; k < sums_at_once; ++k) half[0][k] += half[1][k];
+    Sums all;
+    sum_each(half[0], all.data());
+    return all;
   }
 
   DEBURR_MULTIVERSION
@@ -226,7 +252,15 @@ void SheetSamples::sum(std::size_t count, const Membership& member, WeightedQuad
   } else {
     Kernels::share_in_plane(blocks_.data(), count, member);
   }
-  Kernels::add_moments(std::span(blocks_).first(summed_), 1 / sums.scale(), sums.sums());
+  const auto all = Kernels::moments(std::span(blocks_).first(summed_), 1 / sums.scale());
+  auto& to = sums.sums();
+  std::copy_n(all.begin() + normal, to.normal.size(), to.normal.begin());
+  std::copy_n(all.begin() + right, to.right.size(), to.right.begin());
+  to.heights = all[squared_heights];
+  to.spread = all[spread];
+  to.shares = all[shared];
+  to.share_squares = all[squared_shares];
+  to.count = static_cast<std::size_t>(all[used]);
 }
 
 double SheetSamples::variance(const HeightQuadric& pull) const {
