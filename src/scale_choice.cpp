@@ -29,10 +29,11 @@ constexpr double most_noise = 1.3;
 
 /// Misfits of the surroundings differ by so much from that of the cloud by chance.
 constexpr double chance = 0.3;
-/// What the residuals exceed the noise by without any misfit: of fits over points, and over nodes
-/// that are not all equally pure.
+/// What the residuals exceed the noise by without any misfit. Nodes of coarse levels are not all
+/// equally pure: their smallest fits, in which there is hardly a misfit yet, tell by how much.
 constexpr double free_excess = 0.01;
-constexpr double free_coarse_excess = 0.35;
+constexpr double most_free_coarse_excess = 0.4;
+constexpr double per_excess_of_smallest = 2;
 /// Squared error at the node itself over the mean squared misfit, after blending.
 constexpr double misfit_weight = 0.8;
 
@@ -134,6 +135,14 @@ PerScale excess_of_cloud(std::span<const ScaleCurve> curves) {
   return excess;
 }
 
+/// What residuals over coarse nodes exceed the noise by without any misfit.
+double coarse_excess(const PerScale& of_cloud) {
+  const double smallest = of_cloud[level_scales];
+  const double free = per_excess_of_smallest * std::max(smallest, 0.0);
+  // Too few nodes tell of it where it is 0.
+  return smallest != 0 ? std::min(free, most_free_coarse_excess) : most_free_coarse_excess;
+}
+
 }  // namespace
 
 ScaleChooser::ScaleChooser(const ScaleSurvey& survey, double noise, const AutomaticParts& parts,
@@ -142,7 +151,8 @@ ScaleChooser::ScaleChooser(const ScaleSurvey& survey, double noise, const Automa
       noise_(noise),
       parts_(parts),
       tree_(survey.places, execution),
-      of_cloud_(excess_of_cloud(survey.curves)) {}
+      of_cloud_(excess_of_cloud(survey.curves)),
+      free_coarse_excess_(coarse_excess(of_cloud_)) {}
 
 std::vector<ScaleChoice> ScaleChooser::choose(Points places, Normals normals) const {
   const std::size_t pooled = parts_.pool ? pooled_nodes : 1;
@@ -180,7 +190,7 @@ std::vector<ScaleChoice> ScaleChooser::choose(Points places, Normals normals) co
       const double significant =
           std::max(difference - by_chance, 0.0) + std::min(difference + by_chance, 0.0);
       const std::size_t level = s / level_scales;
-      const double free = level > 0 ? free_coarse_excess : free_excess;
+      const double free = level > 0 ? free_coarse_excess_ : free_excess;
       const double misfit =
           std::max(0.0, of_cloud_[s] + significant - free) / survey_.merged[level];
       const double risk = misfit_weight * misfit + curve.variance[s];

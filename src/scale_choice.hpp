@@ -48,6 +48,7 @@ class ScaleChooser {
   AutomaticParts parts_;
   KdTree tree_;
   std::array<double, sheet_scales> of_cloud_{};
+  double free_coarse_excess_;
 };
 
 }  // namespace deburr

@@ -109,7 +109,9 @@ TEST(SheetSamples, SumsAreThoseOfTheirDefinition) {
       const double variance = sum_up(scene, count, member, pull, sums.scale(), truth);
       expect_equal(sums.sums(), truth);
       EXPECT_NEAR(samples.variance(pull), variance, 1e-12 * variance);
-      if (count == samples.size()) EXPECT_LT(truth.count, count);  // one has no normal
+      if (count == samples.size()) {
+        EXPECT_LT(truth.count, count);  // one has no normal
+      }
     }
   }
 }
