@@ -17,18 +17,26 @@
 namespace deburr {
 namespace {
 
+/// Bits of the number of a cell along one axis, and how many of them a cube of cells takes.
+constexpr unsigned cell_bits = 31;
+constexpr unsigned cube_bits = 21;
+
+/// Cells stand along a curve in space, so that nodes do too. That has not room for all of them:
+/// clouds far apart have a cube of cells each.
 struct Key {
-  std::uint64_t cell;  ///< along a curve in space, so that nodes stand in spatial order too
+  std::uint64_t cell;  ///< within its cube
+  std::uint32_t cube;
   std::uint32_t side;  ///< where the normal points
   std::uint32_t index;
 
   friend bool operator<(const Key& a, const Key& b) {
-    return std::tie(a.cell, a.side, a.index) < std::tie(b.cell, b.side, b.index);
+    return std::tie(a.cube, a.cell, a.side, a.index) < std::tie(b.cube, b.cell, b.side, b.index);
   }
   [[nodiscard]] bool same_node(const Key& other) const {
-    return cell == other.cell && side == other.side;
+    return cell == other.cell && cube == other.cube && side == other.side;
   }
 };
+static_assert(std::uint64_t{1} << cube_bits == z_order_cells);
 
 /// The part of the sphere that a normal points to: one of six sides, cut into bins x bins parts.
 std::uint32_t part_of(const Vec3& n, std::uint32_t bins) {
@@ -66,11 +74,12 @@ SurfaceNodes nodes_of_points(std::vector<Vec3> measured, std::vector<Vec3> place
 SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
                               std::span<const double> weights, std::span<const double> trust,
                               double cell, std::uint32_t bins, const Execution& execution) {
+  constexpr auto most_cells = static_cast<double>(std::uint64_t{1} << cell_bits);
   const Box box = bounding_box(places);
   const Vec3 extent = box.high - box.low;
   const double longest = std::max({extent.x, extent.y, extent.z});
   // A whole number of cells: a cell size that differs in its last bits must not move the borders.
-  const double count = std::clamp(std::ceil(longest / cell), 1.0, double{z_order_cells});
+  const double count = std::clamp(std::ceil(longest / cell), 1.0, most_cells);
   const double per_length = longest > 0 ? count / longest : 0;
   const auto along = [&](double v, double low) {
     // The far end of the box belongs to the last cell.
@@ -79,8 +88,13 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
   std::vector<Key> keys(places.size());
   parallel_for(keys.size(), execution, [&](std::size_t i) {
     const Vec3& p = places[i];
-    keys[i] = {z_order(along(p.x, box.low.x), along(p.y, box.low.y), along(p.z, box.low.z)),
-               normals.empty() ? 0 : part_of(normals[i], bins), static_cast<std::uint32_t>(i)};
+    const std::uint64_t x = along(p.x, box.low.x);
+    const std::uint64_t y = along(p.y, box.low.y);
+    const std::uint64_t z = along(p.z, box.low.z);
+    const std::uint64_t cube = z_order(x >> cube_bits, y >> cube_bits, z >> cube_bits);
+    keys[i] = {z_order(x % z_order_cells, y % z_order_cells, z % z_order_cells),
+               static_cast<std::uint32_t>(cube), normals.empty() ? 0 : part_of(normals[i], bins),
+               static_cast<std::uint32_t>(i)};
   });
   parallel_sort(keys, execution);
   std::vector<std::uint32_t> begins;

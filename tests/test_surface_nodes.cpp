@@ -154,6 +154,23 @@ TEST(SurfaceNodes, MakeOneOfEqualPoints) {
   EXPECT_LE(norm(nodes.places[0] - points[0]), 1e-15);
 }
 
+// Cells are not wider for the room between two clouds.
+TEST(SurfaceNodes, AreAsManyOfCloudsFarApart) {
+  Patch patch;
+  const SurfaceNodes alone = patch.merged(0.0625);
+  EXPECT_GT(alone.size(), 1000U);
+  for (const double far : {0x1p10, 0x1p20, 0x1p25}) {
+    std::vector<Vec3> points = patch.surface.points;
+    std::vector<Vec3> normals = patch.surface.normals;
+    for (std::size_t i = 0; i < 2000; ++i) {
+      points.push_back(points[i] + Vec3{far, 0, -far});
+      normals.push_back(normals[i]);
+    }
+    const auto nodes = merge_into_cells(points, points, normals, {}, {}, 0.0625, 1, {}).size();
+    EXPECT_NEAR(static_cast<double>(nodes), 2.0 * static_cast<double>(alone.size()), 100) << far;
+  }
+}
+
 // Far more cells than could be numbered.
 TEST(SurfaceNodes, StandCellsOfAnySize) {
   const Patch patch;
