@@ -116,36 +116,6 @@ TEST(SheetSamples, SumsAreThoseOfTheirDefinition) {
   }
 }
 
-// Past an edge a fit may have samples on a line alone: rounding must not make it the surest of all.
-TEST(SheetSamples, RoundingDoesNotDecideTheVarianceOfSamplesOnALine) {
-  for (std::uint32_t direction = 0; direction < 40; ++direction) {
-    double first = 0;
-    for (const double unit_of_length : {1.0, 3.7, 1e-6}) {
-      Scene scene(5);
-      scene.nodes.normals.assign(5, scene.frame.w);
-      const double turn = 0.1 + 0.15 * direction;
-      for (std::uint32_t i = 0; i < 5; ++i) {
-        const double along = unit_of_length * (0.9 + 0.01 * i);
-        const Vec3 at = along * (std::cos(turn) * scene.frame.u + std::sin(turn) * scene.frame.v);
-        scene.nodes.places[i] = scene.nodes.measured[i] = at;
-        scene.nodes.weights[i] = 1;
-        scene.nodes.trust[i] = 1e-7 * (i + 1);
-        scene.found[i] = {along * along, i};
-      }
-      scene.frame.origin = {};
-      SheetSamples samples;
-      samples.start(scene.nodes, scene.frame, scene.found);
-      const double area = unit_of_length * unit_of_length;
-      WeightedQuadric sums(unit_of_length);
-      samples.sum(5, {{}, area, unit_of_length, normal_reach}, sums);
-      const double variance = samples.variance(sums.solve().plane().pull);
-      EXPECT_GT(variance, 0.1) << direction;
-      if (first == 0) first = variance;
-      EXPECT_NEAR(variance, first, 1e-6 * first) << direction;
-    }
-  }
-}
-
 TEST(SheetSamples, CountsThoseUpToAnArea) {
   const Scene scene(20);
   SheetSamples samples;
