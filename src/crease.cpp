@@ -23,7 +23,7 @@ constexpr double clear_majority = 0.5;  ///< of the members, on one side of a pl
 constexpr double most_variance = 30;
 
 /// Points of an edge are those within so many spacings of it.
-constexpr double edge_width = 1.0;
+constexpr double edge_width = 1;
 
 constexpr double rounding = 1e-6;   ///< of cosines in single precision, at most
 constexpr double one_place = 1e-9;  ///< in spacings: places closer than that differ by rounding

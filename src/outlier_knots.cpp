@@ -41,9 +41,15 @@ std::uint32_t middle_point(Points points, std::span<const std::uint32_t> ids) {
   Vec3 sum;
   for (const std::uint32_t i : ids) sum += points[i] - origin;
   const Vec3 mean = origin + (1 / static_cast<double>(ids.size())) * sum;
-  Found best{std::numeric_limits<double>::infinity(), no_point};
-  for (const std::uint32_t i : ids) best = std::min(best, Found{squared_norm(points[i] - mean), i});
-  return best.index;
+  double least = std::numeric_limits<double>::infinity();
+  // Both of two are as near to their mean, up to rounding.
+  constexpr double alike = 1 + 1e-9;
+  for (const std::uint32_t i : ids) least = std::min(least, squared_norm(points[i] - mean));
+  std::uint32_t middle = no_point;
+  for (const std::uint32_t i : ids) {
+    if (squared_norm(points[i] - mean) <= alike * least) middle = std::min(middle, i);
+  }
+  return middle;
 }
 
 double spread(std::span<double> distances) {

@@ -87,17 +87,17 @@ TEST(Crease, EndsAFaceAtAConvexEdge) {
   expect_landing(faces.land({0.3, 0.2, 0.1}, up), {0, 0.2, 0}, Feature::Edge);
   expect_landing(faces.land({0.1, 0.2, 0.3}, {1, 0, 0}), {0, 0.2, 0}, Feature::Edge);
   // This one is of the other face, which it was nearer to all along.
-  const Landing there = faces.land({0.2, 0.2, -0.9}, up);
-  expect_landing(there, {0, 0.2, -0.9}, Feature::Surface);
+  const Landing there = faces.land({0.2, 0.2, -1.1}, up);
+  expect_landing(there, {0, 0.2, -1.1}, Feature::Surface);
   EXPECT_EQ(there.normal, (Vec3{1, 0, 0}));
-  expect_landing(faces.land({0.2, 0.2, -0.5}, up), {0, 0.2, -0.5}, Feature::Edge);
+  expect_landing(faces.land({0.2, 0.2, -0.9}, up), {0, 0.2, -0.9}, Feature::Edge);
 }
 
 TEST(Crease, EndsAFaceAtAConcaveEdge) {
   const Faces faces = two_faces(1);
   expect_landing(faces.land({0.3, 0.2, -0.1}, up), {0, 0.2, 0}, Feature::Edge);
   expect_landing(faces.land({0.1, 0.2, -0.3}, {-1, 0, 0}), {0, 0.2, 0}, Feature::Edge);
-  expect_landing(faces.land({0.2, 0.2, 0.9}, up), {0, 0.2, 0.9}, Feature::Surface);
+  expect_landing(faces.land({0.2, 0.2, 1.1}, up), {0, 0.2, 1.1}, Feature::Surface);
 }
 
 TEST(Crease, LeavesThePointsOfAFaceOnIt) {

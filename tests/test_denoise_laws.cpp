@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "deburr/synth.hpp"
 #include "support/compare.hpp"
 #include "support/denoise_laws.hpp"
 
@@ -87,6 +88,23 @@ TEST(DenoiseLaws, CommutesWithTheUnit) {
     EXPECT_LE(max_difference(scaled.cloud.points, mapped(plain.cloud.points, scale)),
               1e-9 * scaled.report.spacing);
     EXPECT_EQ(scaled.labels, plain.labels);
+  }
+}
+
+// Groups of two points are many there, and both are as near to the mean of them.
+TEST(DenoiseLaws, CommutesWithTheUnitWherePointsAreMerged) {
+  for (const std::uint64_t seed : {5U, 8U, 10U}) {
+    const std::vector<Vec3> points =
+        synthesize_part(
+            {.points = 1500, .noise = 0.8, .noise_unit = NoiseUnit::Spacing, .seed = seed})
+            .cloud.points;
+    const auto scale = [](const Vec3& p) { return 1e-6 * p; };
+    const DenoiseResult plain = run(points);
+    const DenoiseResult scaled = run(mapped(points, scale));
+    EXPECT_LE(max_difference(scaled.cloud.points, mapped(plain.cloud.points, scale)),
+              1e-6 * scaled.report.spacing)
+        << seed;
+    EXPECT_EQ(scaled.labels, plain.labels) << seed;
   }
 }
 

@@ -91,10 +91,25 @@ TEST(ScaleChoice, IsTheLargestThatFits) {
   }
 }
 
-// A misfit of 0.001 does not weigh up against what a larger fit takes off the noise.
+// A misfit of 0.0001 does not weigh up against what a larger fit takes off the noise.
 TEST(ScaleChoice, WeighsMisfitAgainstVariance) {
-  for (const ScaleChoice& choice : MadeUp(5, 0.001F).choose()) {
+  for (const ScaleChoice& choice : MadeUp(5, 0.0001F).choose()) {
     ASSERT_EQ(choice.scale, sheet_scales - 1);
+  }
+}
+
+// Residuals over the coarsest nodes exceed the noise by 0.35. Where those of the smallest coarse
+// fits do so by 0.2, nodes are not pure; where by 0.05, the surface is bent.
+TEST(ScaleChoice, KnowsImpureNodesFromAMisfitByTheSmallestCoarseFits) {
+  for (const float smallest : {0.05F, 0.2F}) {
+    MadeUp made(sheet_scales, 0);
+    for (ScaleCurve& curve : made.survey.curves) {
+      for (std::size_t s = level_scales; s < sheet_scales; ++s) {
+        curve.residual[s] = s < 2 * level_scales ? 1 + smallest : 1.35F;
+      }
+    }
+    const std::size_t expected = smallest < 0.1F ? 2 * level_scales - 1 : sheet_scales - 1;
+    for (const ScaleChoice& choice : made.choose()) ASSERT_EQ(choice.scale, expected);
   }
 }
 
