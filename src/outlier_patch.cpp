@@ -162,6 +162,10 @@ void solve(std::array<Row, terms>& a, Row& b) {
   }
 }
 
+/// Of points all at one place, whose patch is level: the square of what lies within a box of 4 is
+/// still a number in this unit.
+constexpr double least_radius = 1e-100;
+
 Row monomials(double u, double v) { return {1, u, v, u * u, u * v, v * v}; }
 
 double value(const Row& height, const Row& at) {
@@ -187,7 +191,7 @@ Patch fit_patch(std::span<const Vec3> points, const Vec3& around) {
   }
   const Vec3 mean = (1 / static_cast<double>(n)) * sum;
   patch.center = around + mean;
-  patch.radius = std::sqrt(farthest);
+  patch.radius = std::max(std::sqrt(farthest), least_radius);
   const double unit = 1 / patch.radius;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 p = unit * (points[i] - around - mean);

@@ -28,7 +28,7 @@ struct Foot {
 
 /// Fits a patch to points, robustly: points far off count less with each round, and those
 /// beyond three times the scale of the residuals not at all.
-/// @param points  at least 8, not all at one place
+/// @param points  at least 8, within a box of 4; all at one place gives a level patch
 [[nodiscard]] Patch fit_patch(std::span<const Vec3> points, const Vec3& around);
 
 [[nodiscard]] Foot foot_on(const Patch& patch, const Vec3& point);

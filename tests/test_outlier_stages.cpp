@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <limits>
 
 #include "kd_tree.hpp"
@@ -130,6 +131,18 @@ TEST(KdTree, FindsWhatIsNearestToAnyPlace) {
       for (std::size_t k = 0; k < count; ++k) EXPECT_EQ(found[k].index, all[k].index);
     }
   }
+}
+
+// Medians of groups may coincide where points are dense to the last bit.
+TEST(Patch, OfOnePlaceIsLevel) {
+  const Vec3 place{0.3, -0.2, 0.1};
+  const Patch patch = fit_patch(std::vector<Vec3>(36, place), place);
+  EXPECT_GT(patch.radius, 0);
+  EXPECT_EQ(foot_on(patch, place).at, place);
+  const Foot foot = foot_on(patch, place + Vec3{1, 1, 1});
+  EXPECT_TRUE(is_finite(foot.at));
+  EXPECT_NEAR(foot.distance, 1, 1e-12);
+  EXPECT_NEAR(foot.aside, std::sqrt(2), 1e-12);
 }
 
 }  // namespace

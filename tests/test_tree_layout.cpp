@@ -105,6 +105,13 @@ TEST(TreeLayout, LeavesDoNotDependOnTheOrderOfPoints) {
   EXPECT_EQ(leaves(points), before);
 }
 
+TEST(TreeLayout, SplitsBetweenClumpsThatAreApart) {
+  std::vector<Vec3> points = random_points(300, 7);
+  for (const Vec3& p : random_points(500, 8)) points.push_back(p + Vec3{0, 100, 0});
+  const TreeLayout layout = lay_out_tree(points, most, {});
+  EXPECT_EQ(layout.ranges.at(1).end, 300U);
+}
+
 TEST(TreeLayout, LeavesAreSmallAlsoFarFromAStrayPoint) {
   std::vector<Vec3> points = random_points(5000, 6);
   const double alone = mean_leaf(points);
