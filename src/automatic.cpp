@@ -17,15 +17,19 @@
 namespace deburr {
 namespace {
 
-/// Side of a node's cell where points are merged, in spacings, and at least the noise.
-constexpr double node_cell = 2;
+/// Side of a node's cell where points are merged: so many spacings less so many standard deviations
+/// of the noise, and at least one of these. Wide cells cost less, but the more noise there is, the
+/// more points of other faces get into those by edges.
+constexpr double cell_spacings = 2.6;
+constexpr double cell_noises = 0.9;
 
 /// Points, or parts of points, as nodes.
 SurfaceNodes make_nodes(const AutomaticInput& input, std::vector<Vec3> measured,
                         std::vector<Vec3> places, std::vector<Vec3> normals,
                         std::vector<double> trust, const Execution& execution) {
   if (is_dense(input)) {
-    const double cell = std::max(input.noise, node_cell * input.spacing);
+    const double cell =
+        std::max(input.noise, cell_spacings * input.spacing - cell_noises * input.noise);
     return merge_into_cells(measured, places, normals, {}, trust, cell, 1, execution);
   }
   return nodes_of_points(std::move(measured), std::move(places), std::move(normals),

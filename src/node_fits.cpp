@@ -91,7 +91,7 @@ FitSteps fit_steps(double ratio, bool merged, const AutomaticParts& parts) {
   const bool little = ratio < 0.35;
   if (!merged) return {2, little ? 1U : 2U, 1, 100};
   if (little) return {2, 2, 1, 50};
-  if (ratio < 0.6) return {3, 4, 1, 50};
+  if (ratio < 0.95) return {3, 4, 1, ratio < 0.6 ? 50U : 100U};
   return {3, 8, 2, 100};
 }
 
