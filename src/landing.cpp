@@ -115,7 +115,7 @@ class Together {
   }
 
   /// Whether the points of a node do.
-  [[nodiscard]] bool land(std::uint32_t node) const {
+  [[nodiscard]] bool holds(std::uint32_t node) const {
     return !normals_.empty() && !is_zero(normals_[node]);
   }
   [[nodiscard]] Landing land(const Vec3& point, std::uint32_t node) const {
@@ -191,7 +191,7 @@ void land(const AutomaticInput& input, const FittedNodes& nodes, NodeSheets shee
       const auto point = static_cast<std::uint32_t>(i);
       const std::uint32_t node = nodes.of[i];
       const Landing landing =
-          together.land(node)
+          together.holds(node)
               ? together.land(input.points[i], node)
               : lander.land(input.points[i], node, result.points[i], result.normals[i], scratch);
       result.points[i] = bounded(landing.place, input.points[i], input.max_move);

@@ -24,8 +24,9 @@ struct Bench {
   Sampled truth;
   std::vector<Vec3> measured;
   std::vector<Sheet> sheets;
-  std::size_t step = 1;  ///< one of so many nodes is of the even choice
-  bool by_edge = false;  ///< whether the others have sheets as well, and all points look at them
+  std::size_t step = 1;   ///< one of so many nodes is of the even choice
+  bool together = false;  ///< whether points land with the others of their node, of which none has
+  bool by_edge = false;   ///< whether the others have sheets as well, and all points look at them
 
   explicit Bench(unsigned seed = 1) {
     Random random(seed);
@@ -49,6 +50,11 @@ struct Bench {
     const AutomaticInput input{measured, truth.normals, sigma, 1, max_move};
     FittedNodes nodes{std::vector<std::uint32_t>(size()), size(), 1, {}, {}, {}};
     std::iota(nodes.of.begin(), nodes.of.end(), 0U);
+    if (together) {
+      nodes.measured = measured;
+      nodes.places = truth.points;
+      nodes.normals = truth.normals;
+    }
     result.points = truth.points;
     result.normals = truth.normals;
     result.labels.assign(size(), Feature::Surface);
@@ -202,6 +208,20 @@ TEST(Landing, HasTheSameBitsForAnyThreads) {
   EXPECT_EQ(one.labels, many.labels);
   EXPECT_EQ(first.places, second.places);
   EXPECT_EQ(first.trust, second.trust);
+}
+
+TEST(Landing, OfTheOnlyPointOfANodeIsThatOfThePoint) {
+  Bench bench;
+  AutomaticResult alone;
+  const Shares by_itself = bench.land(alone);
+  bench.together = true;
+  AutomaticResult with_node;
+  const Shares together = bench.land(with_node);
+  EXPECT_LT(max_difference(with_node.points, alone.points), 1e-12);
+  EXPECT_LT(max_difference(with_node.normals, alone.normals), 1e-12);
+  EXPECT_EQ(with_node.labels, alone.labels);
+  ASSERT_EQ(together.places.size(), by_itself.places.size());
+  EXPECT_LT(max_difference(together.places, by_itself.places), 1e-12);
 }
 
 }  // namespace

@@ -208,12 +208,17 @@ TEST(ViewColours, GoFromEndToEnd) {
   EXPECT_EQ(sample(sequential, std::nan("")), unknown_colour);
 }
 
-TEST(ViewStill, ColoursShowWhatTheyAreAskedFor) {
-  PointCloud cloud = synthesize_part({.points = 3000, .noise = 0}).cloud;
-  const Request request{.before = {.name = "a.ply", .cloud = &cloud}};
+StillOptions small_still() {
   StillOptions options;
   options.raster.width = 60;
   options.raster.height = 40;
+  return options;
+}
+
+TEST(ViewStill, ColoursShowWhatTheyAreAskedFor) {
+  PointCloud cloud = synthesize_part({.points = 3000, .noise = 0}).cloud;
+  const Request request{.before = {.name = "a.ply", .cloud = &cloud}};
+  StillOptions options = small_still();
   EXPECT_EQ(draw_still(request, options).points, 3000U);
   for (const StillColour colour :
        {StillColour::Displacement, StillColour::Labels, StillColour::OfFile}) {
@@ -239,9 +244,7 @@ TEST(ViewStill, ColoursShowWhatTheyAreAskedFor) {
 TEST(ViewStill, ASinglePointFarOffMakesNoDifference) {
   PointCloud cloud = synthesize_part({.points = 3000, .noise = 0}).cloud;
   const Request request{.before = {.name = "a.ply", .cloud = &cloud}};
-  StillOptions options;
-  options.raster.width = 60;
-  options.raster.height = 40;
+  StillOptions options = small_still();
   const auto covered = [&] {
     const std::vector<std::uint8_t> rgb = draw_still(request, options).picture.rgb;
     return std::ranges::count_if(rgb, [](std::uint8_t value) { return value < 250; });
