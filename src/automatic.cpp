@@ -23,17 +23,12 @@ namespace {
 constexpr double cell_spacings = 2.6;
 constexpr double cell_noises = 0.9;
 
-/// Points, or parts of points, as nodes.
-SurfaceNodes make_nodes(const AutomaticInput& input, std::vector<Vec3> measured,
-                        std::vector<Vec3> places, std::vector<Vec3> normals,
-                        std::vector<double> trust, const Execution& execution) {
-  if (is_dense(input)) {
-    const double cell =
-        std::max(input.noise, cell_spacings * input.spacing - cell_noises * input.noise);
-    return merge_into_cells(measured, places, normals, {}, trust, cell, 1, execution);
-  }
-  return nodes_of_points(std::move(measured), std::move(places), std::move(normals),
-                         std::move(trust));
+/// Points, or parts of points, merged into the nodes of a dense cloud.
+SurfaceNodes merge(const AutomaticInput& input, Points measured, Points places, Normals normals,
+                   std::span<const double> trust, const Execution& execution) {
+  const double cell =
+      std::max(input.noise, cell_spacings * input.spacing - cell_noises * input.noise);
+  return merge_into_cells(measured, places, normals, {}, trust, cell, 1, execution);
 }
 
 /// What is to be said of nodes when their levels are gone.
@@ -69,9 +64,10 @@ Fitted survey_points(const AutomaticInput& input, AutomaticResult& pilot, ScaleS
                      const Execution& execution) {
   // Nodes that are points have the very same places and normals.
   const bool lent = !is_dense(input);
-  SurfaceNodes nodes = make_nodes(input, {input.points.begin(), input.points.end()},
-                                  lent ? std::move(pilot.points) : pilot.points,
-                                  lent ? std::move(pilot.normals) : pilot.normals, {}, execution);
+  SurfaceNodes nodes = lent
+                           ? nodes_of_points({input.points.begin(), input.points.end()},
+                                             std::move(pilot.points), std::move(pilot.normals))
+                           : merge(input, input.points, pilot.points, pilot.normals, {}, execution);
   Fitted fitted{describe(input, input.points.size(), nodes), {}, {}};
   const double spacing = fitted.nodes.spacing;
   NodeLevels levels(std::move(nodes), spacing, input.noise,
@@ -99,10 +95,14 @@ Fitted survey_points(const AutomaticInput& input, AutomaticResult& pilot, ScaleS
 Fitted fit_shares(const AutomaticInput& input, const FitSteps& steps, const ScaleSurvey& scales,
                   Shares shares, std::vector<std::uint8_t>& by_edge, const Execution& execution) {
   const std::size_t points = shares.measured.size();
-  SurfaceNodes nodes = make_nodes(input, std::move(shares.measured), std::move(shares.places),
-                                  std::move(shares.normals), std::move(shares.trust), execution);
+  SurfaceNodes nodes =
+      is_dense(input)
+          ? merge(input, shares.measured, shares.places, shares.normals, shares.trust, execution)
+          : nodes_of_points(std::move(shares.measured), std::move(shares.places),
+                            std::move(shares.normals), std::move(shares.trust));
   Fitted fitted{describe(input, points, nodes), steps, {}};
   by_edge = nodes_of_some(fitted.nodes, shares.by_edge);
+  shares = {};
   const NodeLevels levels(std::move(nodes), fitted.nodes.spacing, input.noise,
                           sub_execution(execution, "fits", 0, 0.1));
   fitted.sheets = fit_nodes(scales, levels, by_edge, input.noise, steps, input.parts,
@@ -111,10 +111,10 @@ Fitted fit_shares(const AutomaticInput& input, const FitSteps& steps, const Scal
 }
 
 /// What the pilot found to be of no surface stays where it was measured.
-void keep_lone(const AutomaticInput& input, const std::vector<bool>& lone,
+void keep_lone(const AutomaticInput& input, std::span<const std::uint8_t> lone,
                AutomaticResult& result) {
   for (std::size_t i = 0; i < lone.size(); ++i) {
-    if (!lone[i]) continue;
+    if (lone[i] == 0) continue;
     result.points[i] = input.points[i];
     result.labels[i] = Feature::Isolated;
   }
@@ -128,7 +128,7 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
     return sub_execution(execution, stage, from, to);
   };
   AutomaticResult result;
-  std::vector<bool> lone;
+  std::vector<std::uint8_t> lone;
   result.labels.assign(input.points.size(), Feature::Surface);
   clock.time("pilot", [&] {
     Pilot pilot = find_pilot(input, part("pilot", 0, 0.4));

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "box.hpp"
+#include "columns.hpp"
 #include "lanes.hpp"
 #include "parallel.hpp"
 
@@ -58,8 +59,8 @@ std::optional<CellGrid> CellGrid::make(Points points, double radius, std::size_t
 
 void CellGrid::sort_points(Points points, const Execution& execution) {
   const std::size_t rows = std::size_t{axes_[1].cells} * axes_[2].cells;
-  begins_.assign(rows * axes_[0].cells + 1, 0);
-  std::vector<std::uint32_t> cells(points.size());
+  resize_column(begins_, rows * axes_[0].cells + 1, execution);
+  auto cells = make_column<std::uint32_t>(points.size(), execution);
   const auto along = [&](double v, const Axis& axis) {
     return std::min(static_cast<std::uint32_t>((v - axis.low) * per_cell_), axis.cells - 1);
   };
@@ -74,11 +75,13 @@ void CellGrid::sort_points(Points points, const Execution& execution) {
     sum += begin;
     begin = sum;
   }
-  index_.resize(points.size());
+  resize_column(index_, points.size(), execution);
   for (std::size_t i = points.size(); i-- > 0;) {
     index_[--begins_[cells[i]]] = static_cast<std::uint32_t>(i);
   }
-  for (std::vector<double>* const v : {&x_, &y_, &z_}) v->resize(points.size() + lane_count);
+  for (std::vector<double>* const v : {&x_, &y_, &z_}) {
+    resize_column(*v, points.size() + lane_count, execution);
+  }
   parallel_for(points.size(), execution, [&](std::size_t slot) {
     const Vec3& p = points[index_[slot]];
     x_[slot] = p.x;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "automatic_parts.hpp"
+#include "columns.hpp"
 #include "deburr/error.hpp"
 #include "deburr/noise.hpp"
 #include "keep_points.hpp"
@@ -56,9 +57,9 @@ void run_yadav2018(const Yadav2018Options& options, const WorkingSet& set, bool 
 void fill_result(const WorkingSet& set, const State& state, std::span<const std::uint8_t> outliers,
                  DenoiseResult& result, const Execution& execution) {
   PointCloud& cloud = result.cloud;
-  cloud.normals.resize(cloud.size());
+  resize_column(cloud.normals, cloud.size(), execution);
   result.labels.assign(cloud.size(), Feature::Isolated);
-  result.displacement.assign(cloud.size(), 0.0);
+  resize_column(result.displacement, cloud.size(), execution);
   result.outliers.assign(cloud.size(), 0);
   parallel_for(cloud.size(), without_progress(execution), [&](std::size_t i) {
     const std::uint32_t slot = set.slot[i];

@@ -8,20 +8,23 @@
 
 namespace deburr {
 
-/// Begins of the ranges that halving [0, n) gives until none is larger than `most`, >= 1. Ends with
-/// n.
+/// Appends the begins of the ranges that halving [begin, end) gives until none is larger than
+/// `most`, >= 1.
+inline void add_halves(std::size_t begin, std::size_t end, std::size_t most,
+                       std::vector<std::uint32_t>& begins) {
+  if (end - begin <= most) {
+    begins.push_back(static_cast<std::uint32_t>(begin));
+    return;
+  }
+  const std::size_t middle = begin + (end - begin) / 2;
+  add_halves(begin, middle, most, begins);
+  add_halves(middle, end, most, begins);
+}
+
+/// Those of [0, n), and n.
 inline std::vector<std::uint32_t> halves(std::size_t n, std::size_t most) {
   std::vector<std::uint32_t> begins;
-  const auto split = [&](const auto& self, std::size_t begin, std::size_t end) -> void {
-    if (end - begin <= most) {
-      begins.push_back(static_cast<std::uint32_t>(begin));
-      return;
-    }
-    const std::size_t middle = begin + (end - begin) / 2;
-    self(self, begin, middle);
-    self(self, middle, end);
-  };
-  split(split, 0, n);
+  add_halves(0, n, most, begins);
   begins.push_back(static_cast<std::uint32_t>(n));
   return begins;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "columns.hpp"
 #include "found_sort.hpp"
 #include "halves.hpp"
 #include "parallel.hpp"
@@ -27,9 +28,9 @@ constexpr std::uint32_t any_index = std::numeric_limits<std::uint32_t>::max();
 KdTree::KdTree(Points points, const Execution& execution) : points_(points) {
   TreeLayout layout = lay_out_tree(points, leaf_size, execution);
   order_ = std::move(layout.order);
-  sorted_.resize(order_.size());
-  nodes_.resize(layout.ranges.size());
   const Execution quiet = without_progress(execution);
+  resize_column(sorted_, order_.size(), quiet);
+  resize_column(nodes_, layout.ranges.size(), quiet);
   parallel_for(nodes_.size(), quiet, [&](std::size_t k) {
     const auto& [begin, end, right] = layout.ranges[k];
     Node& node = nodes_[k];
@@ -168,12 +169,7 @@ std::vector<std::uint32_t> KdTree::groups(std::size_t most) const {
   std::uint32_t end = 0;  // of what is in a group already
   for (const Node& n : nodes_) {
     if (n.begin < end || (n.right != 0 && n.end - n.begin > most)) continue;
-    if (n.end - n.begin <= most) {
-      begins.push_back(n.begin);
-    } else {
-      for (const std::uint32_t at : halves(n.end - n.begin, most)) begins.push_back(n.begin + at);
-      begins.pop_back();
-    }
+    add_halves(n.begin, n.end, most, begins);
     end = n.end;
   }
   begins.push_back(end);

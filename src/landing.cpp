@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "columns.hpp"
 #include "corners.hpp"
 #include "crease.hpp"
 #include "nearest_beside.hpp"
@@ -152,23 +153,39 @@ void share_out(std::uint32_t i, const Landing& landing, bool whole, Shares& shar
   }
 }
 
-/// Every point as a whole where it was measured, until it lands.
-void make_room(const AutomaticInput& input, Shares& shares) {
-  const std::size_t count = input.points.size();
-  shares.measured.assign(input.points.begin(), input.points.end());
-  shares.places.resize(count);
-  shares.normals.resize(count);
-  shares.trust.resize(count);
-  shares.by_edge.resize(count);
+void resize_columns(Shares& shares, std::size_t size, const Execution& execution) {
+  for (auto* column : {&shares.measured, &shares.places, &shares.normals}) {
+    resize_column(*column, size, execution);
+  }
+  resize_column(shares.trust, size, execution);
+  resize_column(shares.by_edge, size, execution);
 }
 
-/// For what is left of points in blocks, to the byte: columns that grow take twice what they hold.
-void make_room(std::span<const Block> blocks, Shares& shares) {
-  std::size_t all = shares.places.size();
-  for (const Block& block : blocks) all += block.others.size();
-  for (auto* column : {&shares.measured, &shares.places, &shares.normals}) column->reserve(all);
-  shares.trust.reserve(all);
-  shares.by_edge.reserve(all);
+/// Every point as a whole where it was measured, until it lands.
+Shares room_for(const AutomaticInput& input, const Execution& execution) {
+  Shares shares;
+  shares.measured = copy_column(input.points, execution);
+  resize_columns(shares, input.points.size(), execution);
+  return shares;
+}
+
+/// Adds what is left of points in blocks, one after the other.
+void add_others(Points points, std::span<const Block> blocks, Shares& shares,
+                const Execution& execution) {
+  std::vector<std::size_t> begins{shares.places.size()};
+  for (const Block& block : blocks) begins.push_back(begins.back() + block.others.size());
+  resize_columns(shares, begins.back(), execution);
+  parallel_for(blocks.size(), without_progress(execution), [&](std::size_t b) {
+    std::size_t at = begins[b];
+    for (const Other& other : blocks[b].others) {
+      shares.measured[at] = points[other.point];
+      shares.places[at] = other.sheet.foot;
+      shares.normals[at] = other.sheet.normal;
+      shares.trust[at] = other.sheet.share;
+      shares.by_edge[at] = 1;
+      ++at;
+    }
+  });
 }
 
 }  // namespace
@@ -177,7 +194,7 @@ void land(const AutomaticInput& input, const FittedNodes& nodes, NodeSheets shee
           const SheetsAround& around, AutomaticResult& result, Shares* shares,
           const Execution& execution) {
   const std::size_t count = input.points.size();
-  if (shares != nullptr) make_room(input, *shares);
+  if (shares != nullptr) *shares = room_for(input, execution);
   std::vector<Block> blocks((count + block_size - 1) / block_size);
   const SheetSet set(std::move(sheets), nodes.count, execution);
   const Lander lander(input, nodes, set, around);
@@ -204,15 +221,8 @@ void land(const AutomaticInput& input, const FittedNodes& nodes, NodeSheets shee
     }
   });
   std::vector<EdgePoint> edges;
-  if (shares != nullptr) make_room(blocks, *shares);
+  if (shares != nullptr) add_others(input.points, blocks, *shares, execution);
   for (const Block& block : blocks) {
-    for (const Other& other : block.others) {
-      shares->measured.push_back(input.points[other.point]);
-      shares->places.push_back(other.sheet.foot);
-      shares->normals.push_back(other.sheet.normal);
-      shares->trust.push_back(other.sheet.share);
-      shares->by_edge.push_back(1);
-    }
     edges.insert(edges.end(), block.edges.begin(), block.edges.end());
   }
   label_corners(edges, result.points, input.spacing, result.labels, execution);

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "cell_grid.hpp"
+#include "columns.hpp"
 #include "deburr/error.hpp"
 #include "kd_tree.hpp"
 #include "nearest_beside.hpp"
@@ -47,11 +48,11 @@ void make_offsets(std::vector<std::size_t>& offsets, double radius) {
   }
 }
 
-/// Room for all neighbours, taken step by step: where memory is new, that takes long.
+/// Room for all neighbours, filled step by step: that may take long.
 std::vector<std::uint32_t> make_indices(std::size_t count, const Execution& execution) {
   constexpr std::size_t step = std::size_t{1} << 22;
   std::vector<std::uint32_t> indices;
-  indices.reserve(count);
+  reserve_column(indices, count, execution);
   while (indices.size() < count) {
     check_cancelled(execution);
     indices.resize(std::min(count, indices.size() + step));
@@ -65,7 +66,7 @@ Neighborhoods search_grid(const CellGrid& grid, const NeighborOptions& options,
                           const Execution& execution) {
   const std::size_t most =
       options.max_count > 0 ? options.max_count : std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> offsets(grid.size() + 1);
+  auto offsets = make_column<std::size_t>(grid.size() + 1, execution);
   parallel_blocks(grid.size(), sub_execution(execution, "neighbourhoods", 0, counted),
                   [&](std::size_t begin, std::size_t end) {
                     std::vector<std::size_t> counts(end - begin);
@@ -116,7 +117,7 @@ Neighborhoods search_tree(Points points, const NeighborOptions& options,
 
   // Along the leaves of the tree one search warms the cache for the next.
   const std::vector<std::uint32_t>& order = tree.order();
-  std::vector<std::size_t> offsets(points.size() + 1);
+  auto offsets = make_column<std::size_t>(points.size() + 1, execution);
   parallel_for(points.size(), sub_execution(execution, "neighbourhoods", 0, counted),
                [&](std::size_t at) { offsets[order[at] + 1] = count(order[at]); });
   make_offsets(offsets, options.radius);

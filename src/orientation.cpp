@@ -39,7 +39,7 @@ Neighborhoods adjacency(std::size_t n, const std::vector<Edge>& edges, const Exe
 
 /// The highest point of each piece, of several the one with the smallest id; by that id.
 std::vector<std::uint32_t> highest_points(Points points, std::span<const std::uint32_t> ids,
-                                          Pieces& pieces, CancelWatch& watch) {
+                                          JoinedSets& pieces, CancelWatch& watch) {
   // A piece is known by its first point, which is met first.
   std::vector<std::uint32_t> highest(points.size());
   std::vector<std::uint32_t> firsts;
@@ -62,7 +62,7 @@ std::vector<std::uint32_t> highest_points(Points points, std::span<const std::ui
 /// Turns normals that belong to points with ids; these only decide between equals.
 void orient(Points points, std::span<const std::uint32_t> ids, const Neighborhoods& neighborhoods,
             std::vector<Vec3>& normals, const Execution& execution) {
-  Pieces pieces(points.size());
+  JoinedSets pieces(points.size(), execution);
   const Neighborhoods forest = adjacency(
       points.size(), spanning_forest(normals, neighborhoods, ids, pieces, execution), execution);
   CancelWatch watch(execution);
@@ -139,8 +139,9 @@ std::vector<Vec3> orient_normals(Points points, Normals normals, const Neighborh
   // Points at random places in memory take three times as long.
   const Execution quiet = without_progress(execution);
   order = spatial_order(points, quiet);
-  std::vector<Vec3> along = gather<Vec3>(normals, order);
-  orient(gather<Vec3>(points, order), order, in_order(neighborhoods, order, quiet), along, quiet);
+  std::vector<Vec3> along = gather<Vec3>(normals, order, quiet);
+  orient(gather<Vec3>(points, order, quiet), order, in_order(neighborhoods, order, quiet), along,
+         quiet);
   for (std::size_t at = 0; at < order.size(); ++at) oriented[order[at]] = along[at];
   return oriented;
 }

@@ -7,12 +7,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
 
 #include "cell_grid.hpp"
+#include "columns.hpp"
+#include "joined_sets.hpp"
 #include "outlier_patch.hpp"
 #include "parallel.hpp"
 #include "quantile.hpp"
@@ -35,25 +36,6 @@ constexpr double scattered = 3;
 /// A ball has 1.
 constexpr std::size_t fewest_in_patch = 16;
 constexpr double flat = 0.25;
-
-/// Disjoint sets; the smallest member stands for a set, so that the result is unique.
-class Sets {
- public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) {
-    i = find(i);
-    j = find(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 double longest_reach(std::vector<double> reach) {
   const auto tenth = reach.begin() + static_cast<std::ptrdiff_t>(9 * reach.size() / 10);
@@ -112,34 +94,37 @@ bool is_flat(Points group) {
 std::vector<Standing> join_points(Points points, const KdTree& tree, std::size_t small,
                                   const Execution& execution) {
   const std::size_t n = points.size();
-  std::vector<Links> nearest(n);
-  std::vector<double> reach(n);
+  const Execution quiet = without_progress(execution);
+  auto nearest = make_column<Links>(n, quiet);
+  auto reach = make_column<double>(n, quiet);
   find_links(points, tree, nearest, reach, execution);
 
   const double longest = longest_reach(reach);
-  Sets sets(n);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    if (reach[i] > longest) continue;
+  JoinedSets sets(n, quiet);
+  parallel_for(n, quiet, [&](std::size_t at) {
+    const auto i = static_cast<std::uint32_t>(at);
+    if (reach[i] > longest) return;
     for (const std::uint32_t j : nearest[i]) {
       const double larger = std::max(reach[i], reach[j]);
       if (larger <= longest && larger <= steepest * std::min(reach[i], reach[j])) sets.join(i, j);
     }
-  }
-  std::vector<std::uint32_t> size(n);
-  for (std::uint32_t i = 0; i < n; ++i) ++size[sets.find(i)];
+  });
+  auto group = make_column<std::uint32_t>(n, quiet);
+  parallel_for(n, quiet,
+               [&](std::size_t i) { group[i] = sets.find(static_cast<std::uint32_t>(i)); });
+  auto size = make_column<std::uint32_t>(n, quiet);
+  for (const std::uint32_t g : group) ++size[g];
 
   std::map<std::uint32_t, std::vector<Vec3>> groups;
   std::vector<Standing> standing(n, Standing::Surface);
   for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t group = sets.find(i);
-    if (size[group] > small) continue;
+    if (size[group[i]] > small) continue;
     standing[i] = Standing::Loose;
-    if (size[group] >= fewest_in_patch) groups[group].push_back(points[i]);
+    if (size[group[i]] >= fewest_in_patch) groups[group[i]].push_back(points[i]);
   }
-  std::erase_if(groups, [](const auto& group) { return !is_flat(group.second); });
+  std::erase_if(groups, [](const auto& g) { return !is_flat(g.second); });
   for (std::uint32_t i = 0; i < n; ++i) {
-    if (standing[i] == Standing::Loose && groups.contains(sets.find(i)))
-      standing[i] = Standing::Patch;
+    if (standing[i] == Standing::Loose && groups.contains(group[i])) standing[i] = Standing::Patch;
   }
   return standing;
 }

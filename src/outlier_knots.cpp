@@ -18,6 +18,7 @@ constexpr double least_radius = 4;
 
 constexpr std::size_t trial_knots = 32;
 constexpr std::size_t trial_places = 512;
+constexpr std::size_t places_of_block = 16;
 constexpr std::size_t place_points = 4;  ///< whose distances from the patch are taken
 
 /// Knots in a patch: without noise, where the fewest follow the surface best, and with it.
@@ -65,7 +66,7 @@ Knots::Knots(const SomePoints& points, const Execution& execution)
   const Execution quiet = without_progress(execution);
   Trial trial = try_out(quiet);
   while (trial.radius < least_radius * trial.noise && points_.size() / group_ > fewest_thinned) {
-    thin(4 * group_);
+    thin(4 * group_, quiet);
     trial = try_out(quiet);
   }
   // The number of points within a radius grows with its square.
@@ -80,7 +81,7 @@ Knots::Knots(const SomePoints& points, const Execution& execution)
   std::size_t group = 1;
   while (points_wanted > most * static_cast<double>(group)) group *= 2;
   const double in_trial = static_cast<double>(trial_knots) * per_knot();
-  if (group != group_) thin(group);
+  if (group != group_) thin(group, quiet);
   const double little = wanted_radius * little_noise;
   const double least = points_wanted < 3.14 * little * little ? fewest_exact : fewest;
   count_ = static_cast<std::size_t>(std::clamp(points_wanted / per_knot(), least, most));
@@ -91,18 +92,19 @@ Knots::Knots(const SomePoints& points, const Execution& execution)
 }
 
 /// Keeps of each group of points the one nearest to their mean.
-void Knots::thin(std::size_t group) {
+void Knots::thin(std::size_t group, const Execution& execution) {
   group_ = group;
   thinned_.clear();
   thinned_tree_.reset();
   if (group == 1) return;
   const std::span<const std::uint32_t> order = some_.order();
   const std::vector<std::uint32_t> begins = some_.groups(group);
-  for (std::size_t g = 0; g + 1 < begins.size(); ++g) {
+  thinned_.resize(begins.size() - 1);
+  parallel_for(thinned_.size(), execution, [&](std::size_t g) {
     const auto members = order.subspan(begins[g], begins[g + 1] - begins[g]);
-    thinned_.push_back(points_[middle_point(points_, members)]);
-  }
-  thinned_tree_ = std::make_unique<KdTree>(thinned_);
+    thinned_[g] = points_[middle_point(points_, members)];
+  });
+  thinned_tree_ = std::make_unique<KdTree>(thinned_, execution);
 }
 
 /// The nearest knots to a place, in no particular order that is yet always the same.
@@ -146,7 +148,7 @@ Knots::Trial Knots::try_out(const Execution& execution) const {
   const std::size_t places = begins.size() - 1;
   std::vector<double> radii(places);
   std::vector<double> distances(place_points * places);
-  parallel_for(places, execution, [&](std::size_t s) {
+  const auto look = [&](std::size_t s) {
     // The first points of a range are of one leaf, and near to each other.
     const auto first =
         order.subspan(begins[s], std::min<std::size_t>(place_points, begins[s + 1] - begins[s]));
@@ -159,6 +161,9 @@ Knots::Trial Knots::try_out(const Execution& execution) const {
       const Vec3& point = points_[first[k % first.size()]];
       distances[place_points * s + k] = foot_on(patch, point).distance;
     }
+  };
+  parallel_blocks<places_of_block>(places, execution, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) look(s);
   });
   Trial trial;
   trial.noise = spread(distances);

@@ -45,7 +45,7 @@ class Knots {
   };
   [[nodiscard]] Trial try_out(const Execution& execution) const;
   void find_near(const Vec3& at, std::size_t count, std::vector<Found>& found) const;
-  void thin(std::size_t group);
+  void thin(std::size_t group, const Execution& execution);
 
   const SomePoints& some_;
   Points points_;

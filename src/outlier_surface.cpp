@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "columns.hpp"
 #include "halves.hpp"
 #include "parallel.hpp"
 
@@ -22,6 +23,9 @@ constexpr double fewest_in_cell = 10;
 /// Cells around a place whose noise has a say in that there. With fewer, chance in it alone gives
 /// the scores a long tail.
 constexpr std::size_t cells_around = 25;
+
+/// The more noise, the fewer cells there are, and the more points in each.
+constexpr std::size_t cells_of_block = 32;
 
 /// Cells next to each other that share it, at most.
 constexpr std::size_t cells_together = 4;
@@ -67,11 +71,12 @@ void RoughSurface::fit_cells(const Execution& execution) {
   const auto cell_knots = static_cast<std::size_t>(
       std::max(fewest_in_cell, cell_share * static_cast<double>(knots_.per_patch())));
   const std::vector<std::uint32_t> begins = some_.groups(cell_knots * knots_.group());
-  cells_.resize(begins.size() - 1);
-  centers_.resize(cells_.size());
-  cell_.resize(points_.size());
-  distance_.resize(points_.size());
-  parallel_for(cells_.size(), execution, [&](std::size_t c) {
+  const Execution quiet = without_progress(execution);
+  resize_column(cells_, begins.size() - 1, quiet);
+  resize_column(centers_, cells_.size(), quiet);
+  resize_column(cell_, points_.size(), quiet);
+  resize_column(distance_, points_.size(), quiet);
+  const auto fit = [&](std::size_t c) {
     Cell& cell = cells_[c];
     const auto members = order.subspan(begins[c], begins[c + 1] - begins[c]);
     const Vec3& middle = points_[middle_point(points_, members)];
@@ -88,7 +93,11 @@ void RoughSurface::fit_cells(const Execution& execution) {
     }
     cell.noise = spread(distances);
     centers_[c] = foot_on(cell.patch, middle).at;
-  });
+  };
+  parallel_blocks<cells_of_block>(cells_.size(), execution,
+                                  [&](std::size_t begin, std::size_t end) {
+                                    for (std::size_t c = begin; c < end; ++c) fit(c);
+                                  });
   center_tree_ = std::make_unique<KdTree>(centers_, execution);
 }
 

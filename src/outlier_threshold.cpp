@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <utility>
+
+#include "columns.hpp"
+#include "parallel.hpp"
 
 namespace deburr {
 namespace {
@@ -42,10 +44,14 @@ constexpr double uncounted = 1;
 /// Scores in ascending order.
 class Scores {
  public:
-  explicit Scores(std::vector<double> scores) : sorted_(std::move(scores)) {
-    const auto low = std::erase_if(sorted_, [](double score) { return score < uncounted; });
-    low_ = static_cast<double>(low);
-    std::sort(sorted_.begin(), sorted_.end());
+  Scores(std::span<const double> scores, const Execution& execution) {
+    pick(
+        scores.size(), [&](std::size_t i) { return !(scores[i] < uncounted); },
+        [&](std::size_t count) { resize_column(sorted_, count, execution); },
+        [&](std::size_t i, std::size_t k) { sorted_[k] = scores[i]; }, execution);
+    low_ = static_cast<double>(scores.size() - sorted_.size());
+    // Which of two equal numbers comes first cannot be told.
+    parallel_sort(sorted_, execution);
     set_factor(1);
     // What counts as outside depends on the factor, and the other way round.
     for (int round = 0; round < 5; ++round) set_factor(find_factor());
@@ -102,8 +108,8 @@ class Scores {
 
 }  // namespace
 
-double score_threshold(std::vector<double> scores) {
-  const Scores sorted(std::move(scores));
+double score_threshold(std::span<const double> scores, const Execution& execution) {
+  const Scores sorted(scores, execution);
   // In steps, since a threshold that rounding decides would not be the same in another unit.
   constexpr int per_unit = 50;
   for (int step = 0; step < per_unit * static_cast<int>(highest - lowest); ++step) {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <vector>
+#include <span>
+
+#include "deburr/execution.hpp"
 
 namespace deburr {
 
@@ -13,6 +15,6 @@ namespace deburr {
 ///         below it, and at most 4 % of all there, in [2, 4] times a factor; 4 times it where there
 ///         is none. The factor, in [0.8, 2], is how much larger the noise is, or how much longer
 ///         its tail, than scores say.
-[[nodiscard]] double score_threshold(std::vector<double> scores);
+[[nodiscard]] double score_threshold(std::span<const double> scores, const Execution& execution);
 
 }  // namespace deburr

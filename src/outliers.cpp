@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "columns.hpp"
 #include "kd_tree.hpp"
 #include "outlier_graph.hpp"
 #include "outlier_surface.hpp"
@@ -31,9 +32,9 @@ std::vector<double> scores(Points points, const Execution& execution) {
   const std::size_t small = std::min(most_floaters, points.size() / small_share);
   const std::vector<Standing> standing =
       join_points(points, tree, small, sub_execution(execution, "outliers", 0.05, 0.5));
-  const SomePoints support(points, tree,
-                           [&](std::uint32_t i) { return standing[i] == Standing::Surface; });
-  std::vector<double> scores(points.size());
+  const SomePoints support(
+      points, tree, [&](std::size_t i) { return standing[i] == Standing::Surface; }, execution);
+  auto scores = make_column<double>(points.size(), execution);
   if (support.points().size() < fewest_points) return scores;
 
   const RoughSurface surface(support, sub_execution(execution, "outliers", 0.5, 0.8));
@@ -54,8 +55,9 @@ std::vector<std::uint8_t> find_outliers_of_distinct(Points points, const Outlier
   std::vector<std::uint8_t> outlier(points.size());
   if (points.size() < fewest_points) return outlier;
   const std::vector<double> score = scores(points, execution);
-  const double most = options.tolerance * score_threshold(score);
-  for (std::size_t i = 0; i < points.size(); ++i) outlier[i] = score[i] > most ? 1 : 0;
+  const double most = options.tolerance * score_threshold(score, without_progress(execution));
+  parallel_for(points.size(), without_progress(execution),
+               [&](std::size_t i) { outlier[i] = score[i] > most ? 1 : 0; });
   return outlier;
 }
 

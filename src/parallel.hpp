@@ -5,15 +5,16 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 #include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "deburr/error.hpp"
@@ -88,12 +89,6 @@ void with_threads(const Execution& execution, const Work& work) {
   arena.execute(work);
 }
 
-/// Does both, maybe at once. Within with_threads().
-template <typename First, typename Second>
-void run_both(const First& first, const Second& second) {
-  tbb::parallel_invoke(first, second);
-}
-
 /// Sorts values that are all different, so that the result does not depend on the threads.
 template <typename Value, typename Less = std::less<Value>>
 void parallel_sort(std::vector<Value>& values, const Execution& execution,
@@ -117,30 +112,37 @@ void parallel_blocks(std::size_t n, const Execution& execution, const Body& body
   const std::size_t block =
       wanted == 0 ? size : std::max<std::size_t>(1, wanted * size / block_size);
   const std::size_t task = (block + size - 1) / size * size;
-  // Progress is told on the caller's thread, so the loop comes back to it now and then.
-  const std::size_t stretch = 64 * task;
-  for (std::size_t from = 0; from < n; from += stretch) {
-    const std::size_t to = std::min(n, from + stretch);
-    const std::size_t tasks = (to - from + task - 1) / task;
-    check_cancelled(execution);
-    with_threads(execution, [&] {
-      tbb::parallel_for(
-          tbb::blocked_range<std::size_t>(0, tasks, 1),
-          [&](const tbb::blocked_range<std::size_t>& range) {
-            for (std::size_t t = range.begin(); t != range.end(); ++t) {
-              const std::size_t end = std::min(to, from + (t + 1) * task);
-              for (std::size_t begin = from + t * task; begin < end; begin += block) {
-                check_cancelled(execution);
-                body(begin, std::min(end, begin + block));
-              }
+  const std::size_t tasks = (n + task - 1) / task;
+  std::atomic<std::size_t> done = 0;
+  // Progress is told on the caller's thread, between its own tasks, and not after every one.
+  const auto caller = std::this_thread::get_id();
+  std::size_t told = 0;
+  const auto tell = [&] {
+    constexpr std::size_t steps = 64;
+    const std::size_t so_far = ++done;
+    if (!execution.progress || std::this_thread::get_id() != caller) return;
+    if ((so_far - told) * steps < tasks && so_far < tasks) return;
+    told = so_far;
+    execution.progress({"", static_cast<double>(so_far) / static_cast<double>(tasks)});
+  };
+  check_cancelled(execution);
+  if (n == 0) return;
+  with_threads(execution, [&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, tasks, 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t t = range.begin(); t != range.end(); ++t) {
+            const std::size_t end = std::min(n, (t + 1) * task);
+            for (std::size_t begin = t * task; begin < end; begin += block) {
+              check_cancelled(execution);
+              body(begin, std::min(end, begin + block));
             }
-          },
-          tbb::simple_partitioner());
-    });
-    if (execution.progress) {
-      execution.progress({"", static_cast<double>(to) / static_cast<double>(n)});
-    }
-  }
+            tell();
+          }
+        },
+        tbb::simple_partitioner());
+  });
+  if (execution.progress && told < tasks) execution.progress({"", 1.0});
 }
 
 /// Calls body(i) for every i in [0, n).

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "columns.hpp"
 #include "deburr/neighborhoods.hpp"
 #include "deburr/normal_filter.hpp"
 #include "deburr/normals.hpp"
@@ -64,20 +65,13 @@ Start find_start(Points points, Normals given, double ratio, double radius,
   }
   Start start;
   const Execution quiet = without_progress(execution);
-  with_threads(execution, [&] {
-    // One thread does most of the turning, so the others look for neighbours meanwhile.
-    run_both(
-        [&] {
-          if (count > graph_neighbors) {
-            around = find_neighbors(points, {.max_count = graph_neighbors}, quiet);
-          }
-          start.normals = orient_normals(points, normals, around, quiet);
-        },
-        [&] {
-          start.neighborhoods =
-              find_neighbors(points, {.max_count = most_neighbors, .radius = radius}, quiet);
-        });
-  });
+  if (count > graph_neighbors) {
+    around = find_neighbors(points, {.max_count = graph_neighbors}, quiet);
+  }
+  start.normals = orient_normals(points, normals, around, quiet);
+  around = {};
+  start.neighborhoods =
+      find_neighbors(points, {.max_count = most_neighbors, .radius = radius}, quiet);
   return start;
 }
 
@@ -124,22 +118,22 @@ Pilot find_pilot(const AutomaticInput& input, const Execution& execution) {
   pilot.lone.resize(input.points.size());
   if (!merge) {
     for (std::size_t i = 0; i < measured.size(); ++i) {
-      pilot.lone[i] = field.label[i] == Feature::Isolated;
+      pilot.lone[i] = field.label[i] == Feature::Isolated ? 1 : 0;
     }
     pilot.places = std::move(places);
     pilot.normals = std::move(normals);
     return pilot;
   }
-  pilot.places.resize(input.points.size());
-  pilot.normals.resize(input.points.size());
-  for (std::size_t i = 0; i < input.points.size(); ++i) {
+  resize_column(pilot.places, input.points.size(), execution);
+  resize_column(pilot.normals, input.points.size(), execution);
+  parallel_for(input.points.size(), without_progress(execution), [&](std::size_t i) {
     const std::uint32_t node = nodes.of[i];
     const Vec3 within = input.points[i] - nodes.measured[node];
     const Vec3& n = normals[node];
     pilot.places[i] = places[node] + within - dot(within, n) * n;
     pilot.normals[i] = n;
-    pilot.lone[i] = field.label[node] == Feature::Isolated;
-  }
+    pilot.lone[i] = field.label[node] == Feature::Isolated ? 1 : 0;
+  });
   return pilot;
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "automatic.hpp"
+#include "columns.hpp"
 #include "local_noise.hpp"
 #include "noise_levels.hpp"
 #include "outliers_of_distinct.hpp"
@@ -72,7 +73,7 @@ std::optional<AutomaticResult> run_on_surface(const AutoOptions& options,
   NoiseEstimate estimate;
   NoiseLevels levels;
   clock.time("spacing and noise", [&] {
-    LocalNoiseField field(set_of_distinct(set.points),
+    LocalNoiseField field(set_of_distinct(copy_column(Points(set.points), execution)),
                           sub_execution(execution, "noise", 0.15, 0.22));
     const Execution rest = sub_execution(execution, "noise", 0.22, 0.25);
     report.spacing = set.length(field.neighbor_distance(spacing_neighbors, rest));
@@ -125,12 +126,12 @@ State run_automatic(const AutoOptions& options, const AutomaticParts& parts, Wor
   if (!set.normals.empty()) (void)take_out(set.normals, outliers);
   std::optional<AutomaticResult> result =
       run_on_surface(options, parts, set, report, clock, execution);
-  put_back(set.points, left_out, outliers);
+  put_back(set.points, left_out, outliers, execution);
   if (!result) return State::of(set);
   const std::size_t some = left_out.size();
-  put_back(result->points, std::move(left_out), outliers);
-  put_back(result->normals, std::vector<Vec3>(some), outliers);
-  put_back(result->labels, std::vector<Feature>(some, Feature::Isolated), outliers);
+  put_back(result->points, std::move(left_out), outliers, execution);
+  put_back(result->normals, std::vector<Vec3>(some), outliers, execution);
+  put_back(result->labels, std::vector<Feature>(some, Feature::Isolated), outliers, execution);
   return {std::move(result->points), std::move(result->normals), std::move(result->labels)};
 }
 

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "columns.hpp"
+#include "deburr/execution.hpp"
 #include "deburr/vec3.hpp"
 #include "kd_tree.hpp"
 
@@ -22,7 +24,7 @@ class SomePoints {
   SomePoints(Points points, const KdTree& tree) : points_(points), tree_(tree) {}
   /// @param kept  whether each point of the tree is one of them; as long as there are points
   template <typename Kept>
-  SomePoints(Points points, const KdTree& tree, const Kept& kept);
+  SomePoints(Points points, const KdTree& tree, const Kept& kept, const Execution& execution);
 
   SomePoints(const SomePoints&) = delete;  // points_ may be its own
   SomePoints& operator=(const SomePoints&) = delete;
@@ -52,24 +54,28 @@ class SomePoints {
 };
 
 template <typename Kept>
-SomePoints::SomePoints(Points points, const KdTree& tree, const Kept& kept)
-    : points_(points), tree_(tree), places_(points.size(), none) {
-  std::uint32_t count = 0;
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (kept(i)) places_[i] = count++;
-  }
-  if (count == points.size()) {
-    places_ = {};
-    return;
-  }
-  own_.reserve(count);
-  order_.reserve(count);
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (places_[i] != none) own_.push_back(points[i]);
-  }
-  for (const std::uint32_t i : tree.order()) {
-    if (places_[i] != none) order_.push_back(places_[i]);
-  }
+SomePoints::SomePoints(Points points, const KdTree& tree, const Kept& kept,
+                       const Execution& execution)
+    : points_(points), tree_(tree) {
+  bool all = false;
+  const auto make_room = [&](std::size_t count) {
+    all = count == points.size();
+    if (all) return;
+    places_.assign(points.size(), none);
+    resize_column(own_, count, execution);
+    resize_column(order_, count, execution);
+  };
+  const auto put = [&](std::size_t i, std::size_t place) {
+    if (all) return;
+    places_[i] = static_cast<std::uint32_t>(place);
+    own_[place] = points[i];
+  };
+  pick(points.size(), kept, make_room, put, execution);
+  if (all) return;
+  const std::vector<std::uint32_t>& order = tree.order();
+  pick(
+      order.size(), [&](std::size_t at) { return places_[order[at]] != none; }, [](std::size_t) {},
+      [&](std::size_t at, std::size_t k) { order_[k] = places_[order[at]]; }, execution);
   points_ = own_;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "columns.hpp"
 #include "deburr/execution.hpp"
 #include "deburr/vec3.hpp"
 
@@ -18,10 +19,11 @@ std::vector<std::uint32_t> spatial_order(Points points, const Execution& executi
 
 /// values[order[0]], values[order[1]], ...
 template <typename Value>
-std::vector<Value> gather(std::span<const Value> values, std::span<const std::uint32_t> order) {
-  std::vector<Value> gathered;
-  gathered.reserve(order.size());
-  for (const std::uint32_t i : order) gathered.push_back(values[i]);
+std::vector<Value> gather(std::span<const Value> values, std::span<const std::uint32_t> order,
+                          const Execution& execution = {.threads = 1}) {
+  auto gathered = make_column<Value>(order.size(), execution);
+  parallel_for(order.size(), without_progress(execution),
+               [&](std::size_t i) { gathered[i] = values[order[i]]; });
   return gathered;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "box.hpp"
+#include "columns.hpp"
 #include "parallel.hpp"
 #include "unit.hpp"
 #include "z_order.hpp"
@@ -85,7 +86,7 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
     // The far end of the box belongs to the last cell.
     return static_cast<std::uint64_t>(std::min((v - low) * per_length, count - 1));
   };
-  std::vector<Key> keys(places.size());
+  auto keys = make_column<Key>(places.size(), execution);
   parallel_for(keys.size(), execution, [&](std::size_t i) {
     const Vec3& p = places[i];
     const std::uint64_t x = along(p.x, box.low.x);
@@ -98,16 +99,20 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
   });
   parallel_sort(keys, execution);
   std::vector<std::uint32_t> begins;
-  for (std::uint32_t k = 0; k < keys.size(); ++k) {
-    if (k == 0 || !keys[k].same_node(keys[k - 1])) begins.push_back(k);
-  }
+  pick(
+      keys.size(), [&](std::size_t k) { return k == 0 || !keys[k].same_node(keys[k - 1]); },
+      [&](std::size_t nodes) { begins.resize(nodes); },
+      [&](std::size_t k, std::size_t node) { begins[node] = static_cast<std::uint32_t>(k); },
+      execution);
 
   SurfaceNodes nodes;
-  nodes.of.resize(places.size());
+  resize_column(nodes.of, places.size(), execution);
   for (auto* column : {&nodes.measured, &nodes.places, &nodes.normals}) {
-    column->resize(begins.size());
+    resize_column(*column, begins.size(), execution);
   }
-  for (auto* column : {&nodes.weights, &nodes.trust}) column->resize(begins.size());
+  for (auto* column : {&nodes.weights, &nodes.trust}) {
+    resize_column(*column, begins.size(), execution);
+  }
   parallel_for(begins.size(), execution, [&](std::size_t node) {
     Vec3 measured_sum;
     Vec3 place_sum;

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "columns.hpp"
 #include "move_batch.hpp"
 #include "parallel.hpp"
 #include "require.hpp"
@@ -58,7 +59,7 @@ std::vector<Feature> sweep_together(Points original, Points points, Normals norm
   require_size("moved", moved.size(), points.size());
   validate(options);
   validate(feature_options);
-  if (next != nullptr) next->normals.resize(points.size());
+  if (next != nullptr) resize_column(next->normals, points.size(), execution);
   const MoveOptions how{feature_options, options, next != nullptr ? &next->filter : nullptr};
   std::vector<Feature> labels(points.size());
   const std::size_t blocks = (points.size() + lists.block() - 1) / lists.block();

@@ -8,6 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "columns.hpp"
+#include "deburr/execution.hpp"
+
 namespace deburr {
 
 // Some values of a column are left out for a while, in place: a second column would be memory for
@@ -32,12 +35,14 @@ std::vector<T> take_out(std::vector<T>& values, std::span<const std::uint8_t> ma
 
 /// Undoes take_out().
 template <typename T>
-void put_back(std::vector<T>& values, std::vector<T> taken, std::span<const std::uint8_t> marks) {
+void put_back(std::vector<T>& values, std::vector<T> taken, std::span<const std::uint8_t> marks,
+              const Execution& execution) {
   std::size_t from = values.size();
-  values.resize(marks.size());
-  // From the end on, no value is written over before it has moved.
-  for (std::size_t i = marks.size(); i-- > 0;) {
-    if (marks[i] != 0) {
+  resize_column(values, marks.size(), execution);
+  // From the end on, no value is written over before it has moved. Once all are back, the others
+  // are where they belong.
+  for (std::size_t i = marks.size(); !taken.empty();) {
+    if (marks[--i] != 0) {
       values[i] = std::move(taken.back());
       taken.pop_back();
     } else {

@@ -3,21 +3,24 @@
 #include "tree_layout.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <functional>
+#include <numeric>
 #include <span>
 #include <utility>
 
 #include "box.hpp"
+#include "columns.hpp"
 #include "parallel.hpp"
+#include "radix_sort.hpp"
 #include "z_order.hpp"
 
 namespace deburr {
 namespace {
 
 constexpr unsigned axis_bits = 10;
+constexpr unsigned digits = (3 * axis_bits + radix_bits - 1) / radix_bits;
 
 /// Either part of a split holds at least this share of the points, unless most are in one cell.
 constexpr std::uint32_t fewest_share = 8;  // one in so many
@@ -28,43 +31,19 @@ constexpr std::size_t sorted_by_digits = 2048;
 /// A key is the place of a cell along the curve and then the index of a point.
 using Key = std::uint64_t;
 constexpr unsigned index_bits = 32;
-constexpr unsigned digits = 3;
 
 std::uint32_t index_of(Key key) { return static_cast<std::uint32_t>(key); }
 std::uint32_t cell_of(Key key) { return static_cast<std::uint32_t>(key >> index_bits); }
 
-/// Sorts keys by their cells, and leaves those of one cell in their order.
-void sort_by_digits(std::span<Key> keys, std::vector<Key>& scratch, CancelWatch& watch) {
-  constexpr std::size_t values = std::size_t{1} << axis_bits;
-  std::array<std::array<std::uint32_t, values>, digits> begins{};
-  const auto digit = [](Key key, unsigned d) {
-    return (key >> (index_bits + d * axis_bits)) % values;
-  };
-  for (const Key key : keys) {
-    for (unsigned d = 0; d < digits; ++d) ++begins[d][digit(key, d)];
-  }
-  scratch.resize(std::max(scratch.size(), keys.size()));
-  std::span<Key> from = keys;
-  std::span<Key> to = std::span(scratch).first(keys.size());
-  for (unsigned d = 0; d < digits; ++d) {
-    std::uint32_t sum = 0;
-    for (std::uint32_t& begin : begins[d]) sum += std::exchange(begin, sum);
-    for (const Key key : from) {
-      watch();
-      to[begins[d][digit(key, d)]++] = key;
-    }
-    std::swap(from, to);
-  }
-  static_assert(digits % 2 == 1);
-  std::ranges::copy(from, keys.begin());
-}
-
 class Layout {
  public:
   Layout(Points points, std::uint32_t most, const Execution& execution)
-      : points_(points), most_(most), execution_(execution), keys_(points.size()) {
+      : points_(points),
+        most_(most),
+        execution_(execution),
+        keys_(make_column<Key>(points.size(), execution)) {
     const auto size = static_cast<std::uint32_t>(points.size());
-    for (std::uint32_t i = 0; i < size; ++i) keys_[i] = i;
+    std::iota(keys_.begin(), keys_.end(), Key{0});
     sort(0, size);
     ranges_.reserve(4 * (points.size() / most) + 1);
     add(0, size);
@@ -72,8 +51,9 @@ class Layout {
 
   TreeLayout take() && {
     TreeLayout layout;
-    layout.order.resize(keys_.size());
-    std::ranges::transform(keys_, layout.order.begin(), index_of);
+    layout.order = make_column<std::uint32_t>(keys_.size(), execution_);
+    parallel_for(keys_.size(), without_progress(execution_),
+                 [&](std::size_t k) { layout.order[k] = index_of(keys_[k]); });
     layout.ranges = std::move(ranges_);
     return layout;
   }
@@ -106,8 +86,7 @@ class Layout {
       return;
     }
     parallel_for(keys.size(), without_progress(execution_), set);
-    CancelWatch watch(execution_);
-    if (!std::ranges::is_sorted(keys)) sort_by_digits(keys, scratch_, watch);
+    if (!std::ranges::is_sorted(keys)) radix_sort<digits>(keys, scratch_, cell_of, execution_);
   }
 
   /// Adds the range and those of its descendants.

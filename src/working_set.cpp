@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "box.hpp"
+#include "columns.hpp"
 #include "near_duplicates.hpp"
 #include "parallel.hpp"
 #include "spatial_order.hpp"
@@ -17,12 +18,12 @@
 namespace deburr {
 namespace {
 
-std::vector<std::uint32_t> finite_points(Points points) {
+std::vector<std::uint32_t> finite_points(Points points, const Execution& execution) {
   std::vector<std::uint32_t> finite;
-  finite.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (is_finite(points[i])) finite.push_back(static_cast<std::uint32_t>(i));
-  }
+  pick(
+      points.size(), [&](std::size_t i) { return is_finite(points[i]); },
+      [&](std::size_t count) { resize_column(finite, count, execution); },
+      [&](std::size_t i, std::size_t k) { finite[k] = static_cast<std::uint32_t>(i); }, execution);
   return finite;
 }
 
@@ -81,11 +82,11 @@ void place_points(const PointCloud& cloud, std::span<const std::uint32_t> finite
   const bool has_normals = !cloud.normals.empty();
   std::vector<std::uint32_t> order;
   {
-    const std::vector<Vec3> candidates = gather<Vec3>(cloud.points, finite);
+    const std::vector<Vec3> candidates = gather<Vec3>(cloud.points, finite, execution);
     order = spatial_order(candidates, execution);
   }
-  set.points.resize(finite.size());
-  if (has_normals) set.normals.resize(finite.size());
+  resize_column(set.points, finite.size(), execution);
+  if (has_normals) resize_column(set.normals, finite.size(), execution);
   parallel_for(finite.size(), without_progress(execution), [&](std::size_t at) {
     order[at] = finite[order[at]];
     set.points[at] = cloud.points[order[at]];
@@ -118,11 +119,11 @@ int make_local(std::vector<Vec3>& points, const Execution& execution) {
   const Vec3 half = half_extent(box);
   const double largest = std::max({half.x, half.y, half.z});
   const int exponent = largest > 0 ? std::ilogb(largest) : 0;
-  parallel_for(points.size(), without_progress(execution), [&](std::size_t i) {
-    const Vec3 d = points[i] - origin;
-    points[i] = {std::scalbn(d.x, -exponent), std::scalbn(d.y, -exponent),
-                 std::scalbn(d.z, -exponent)};
-  });
+  // In two steps, since one alone could be beyond the largest double.
+  const double first = std::scalbn(1.0, -exponent / 2);
+  const double second = std::scalbn(1.0, -exponent - -exponent / 2);
+  parallel_for(points.size(), without_progress(execution),
+               [&](std::size_t i) { points[i] = second * (first * (points[i] - origin)); });
   return exponent;
 }
 
@@ -135,7 +136,7 @@ Vec3 WorkingSet::moved(const Vec3& in_cloud, const Vec3& from, const Vec3& to) c
   return is_finite(place) ? place : in_cloud;  // beyond the largest double
 }
 
-double WorkingSet::length(double local) const { return std::scalbn(local, exponent); }
+double WorkingSet::length(double local) const { return unit * local; }
 
 WorkingSet set_of_distinct(std::vector<Vec3> points) {
   WorkingSet set;
@@ -148,12 +149,13 @@ WorkingSet set_of_distinct(std::vector<Vec3> points) {
 WorkingSet make_working_set(const PointCloud& cloud, const WorkingSetOptions& options,
                             const Execution& execution) {
   WorkingSet set;
-  const std::vector<std::uint32_t> finite = finite_points(cloud.points);
+  const std::vector<std::uint32_t> finite = finite_points(cloud.points, execution);
   set.non_finite = cloud.size() - finite.size();
   set.slot.assign(cloud.size(), WorkingSet::none);
   place_points(cloud, finite, options.merge_duplicates, set, execution);
   if (options.local_coordinates && !set.points.empty()) {
     set.exponent = make_local(set.points, execution);
+    set.unit = std::scalbn(1.0, set.exponent);
     // In local coordinates, where no square overflows.
     if (options.merge_duplicates) merge_near_duplicates(set, execution);
   }

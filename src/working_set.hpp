@@ -31,6 +31,7 @@ struct WorkingSet {
   std::size_t non_finite = 0;
   std::size_t duplicates = 0;
   int exponent = 0;  ///< local lengths times 2^exponent are lengths of the cloud
+  double unit = 1;   ///< 2^exponent, which is exact
 
   /// The position of a cloud's point that was `from` and is now `to`, both in local coordinates.
   [[nodiscard]] Vec3 moved(const Vec3& in_cloud, const Vec3& from, const Vec3& to) const;

@@ -55,10 +55,10 @@ TEST(Threshold, IsStrictWhereNothingStandsOut) {
   std::vector<double> scores;
   Random random(7);
   for (int i = 0; i < 20000; ++i) scores.push_back(std::abs(random.gaussian()));
-  EXPECT_NEAR(score_threshold(scores), 4, 0.1);
+  EXPECT_NEAR(score_threshold(scores, {}), 4, 0.1);
   // Where the noise is larger than scores say, they are all too large.
   for (double& s : scores) s *= 1.5;
-  EXPECT_NEAR(score_threshold(scores), 6, 0.2);
+  EXPECT_NEAR(score_threshold(scores, {}), 6, 0.2);
 }
 
 // As many points of the surface are flagged as outliers stay.
@@ -71,7 +71,7 @@ TEST(Threshold, DependsOnHowDenseOutliersAre) {
     for (double& s : scores) s *= factor;
     for (int i = 0; i < 1400; ++i) scores.push_back(reach * random.uniform());
     scores.push_back(std::numeric_limits<double>::infinity());
-    return score_threshold(scores);
+    return score_threshold(scores, {});
   };
   // 14 in each unit of the score: 20000 erfc(3.07 / sqrt 2) = 43 = 14 * 3.07.
   EXPECT_NEAR(threshold(1, 100), 3.07, 0.12);

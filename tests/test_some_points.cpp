@@ -19,7 +19,7 @@ TEST(SomePoints, FindsWhatIsNearestOfThem) {
   const std::vector<Vec3> points = random_points(400, 1);
   const KdTree tree(points);
   // One in seven: what is nearest in the tree is mostly none of them.
-  const SomePoints some(points, tree, [](std::uint32_t i) { return i % 7 == 3; });
+  const SomePoints some(points, tree, [](std::size_t i) { return i % 7 == 3; }, {});
   ASSERT_EQ(some.points().size(), 57);
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (i % 7 != 3) {
@@ -47,7 +47,7 @@ TEST(SomePoints, AreGroupedAsTheNodesOfTheTree) {
   const std::vector<Vec3> points = random_points(640, 3);
   const KdTree tree(points);
   const SomePoints all(points, tree);
-  const SomePoints right(points, tree, [&](std::uint32_t i) { return points[i].x > 0.3; });
+  const SomePoints right(points, tree, [&](std::size_t i) { return points[i].x > 0.3; }, {});
   // In which of the groups of all points each is.
   std::vector<std::size_t> group_of(points.size());
   const std::vector<std::uint32_t> every = all.groups(20);
@@ -79,13 +79,13 @@ TEST(SomePoints, AreGroupedAsTheNodesOfTheTree) {
 TEST(SomePoints, CanBeNoneOrAll) {
   const std::vector<Vec3> points = random_points(100, 4);
   const KdTree tree(points);
-  const SomePoints none(points, tree, [](std::uint32_t) { return false; });
+  const SomePoints none(points, tree, [](std::size_t) { return false; }, {});
   EXPECT_TRUE(none.points().empty());
   EXPECT_THAT(none.groups(8), ElementsAre(0));
   std::vector<Found> found;
   none.nearest_to({0, 0, 0}, 3, found);
   EXPECT_TRUE(found.empty());
-  const SomePoints all(points, tree, [](std::uint32_t) { return true; });
+  const SomePoints all(points, tree, [](std::size_t) { return true; }, {});
   EXPECT_EQ(all.place(42), 42);
   EXPECT_EQ(all.order().size(), 100);
 }

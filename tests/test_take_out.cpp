@@ -31,7 +31,7 @@ TEST(TakeOut, TakesTheMarkedOutAndPutsThemBack) {
     std::vector<int> taken = take_out(values, marks);
     EXPECT_EQ(taken, marked);
     EXPECT_EQ(values, others);
-    put_back(values, std::move(taken), marks);
+    put_back(values, std::move(taken), marks, {});
     EXPECT_EQ(values, all);
   }
 }
@@ -39,7 +39,7 @@ TEST(TakeOut, TakesTheMarkedOutAndPutsThemBack) {
 TEST(TakeOut, IsNothingOfNothing) {
   std::vector<int> none;
   EXPECT_TRUE(take_out(none, Marks{}).empty());
-  put_back(none, {}, Marks{});
+  put_back(none, {}, Marks{}, {});
   EXPECT_TRUE(none.empty());
 }
 
@@ -50,7 +50,7 @@ TEST(TakeOut, MovesValuesThatCannotBeCopied) {
   std::vector<std::unique_ptr<int>> taken = take_out(values, marks);
   ASSERT_EQ(values.size(), 2U);
   EXPECT_EQ(*values[1], 2);
-  put_back(values, std::move(taken), marks);
+  put_back(values, std::move(taken), marks, {});
   for (int i = 0; i < 3; ++i) EXPECT_EQ(*values[static_cast<std::size_t>(i)], i);
 }
 
