@@ -19,6 +19,7 @@
 #include "interrupt.hpp"
 #include "io/format.hpp"
 #include "json_line.hpp"
+#include "memory.hpp"
 #include "output_file.hpp"
 #include "outputs.hpp"
 #include "places.hpp"
@@ -104,6 +105,7 @@ void run(const DenoiseArgs& args) {
     summary.warnings.push_back(fmt::format("{}: {}", args.input, doubt));
   }
   const std::size_t points = result.cloud.size();
+  give_memory_back(points);
   std::optional<ReportPage> page;
   if (is_page(args.report)) page.emplace(args.input, args.output, result.cloud);
   if (std::ranges::any_of(result.cloud.points, is_finite)) {

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fcntl.h>
 #include <fmt/format.h>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -106,22 +103,11 @@ int guarded_run(int argc, const char* const* argv) {
   }
 }
 
-/// The C library comes to keep freed blocks up to 32 MB for itself, which are the columns of a
-/// million points, and a sixth of the memory of a run with them. Keeping none costs more time than
-/// that.
-void give_memory_back() {
-#ifdef __GLIBC__
-  constexpr int large = 1 << 24;  // bytes
-  (void)mallopt(M_MMAP_THRESHOLD, large);
-#endif
-}
-
 }  // namespace
 }  // namespace deburr::cli
 
 int main(int argc, char** argv) {
   deburr::cli::hold_standard_streams();
-  deburr::cli::give_memory_back();
   // A closed pipe, or a file beyond the size allowed, is then an error of the write, told like any
   // other.
   (void)std::signal(SIGPIPE, SIG_IGN);

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "landing.hpp"
+#include "lent_result.hpp"
 #include "node_fits.hpp"
 #include "node_levels.hpp"
 #include "parallel.hpp"
@@ -45,8 +47,8 @@ FittedNodes describe(const AutomaticInput& input, std::size_t points, SurfaceNod
 std::vector<std::uint8_t> nodes_of_some(const FittedNodes& nodes,
                                         std::span<const std::uint8_t> some) {
   std::vector<std::uint8_t> of_nodes(nodes.count);
-  for (std::size_t i = 0; i < some.size(); ++i) {
-    if (some[i] != 0) of_nodes[nodes.of[i]] = 1;
+  for (std::uint32_t i = 0; i < some.size(); ++i) {
+    if (some[i] != 0) of_nodes[nodes.of_point(i)] = 1;
   }
   return of_nodes;
 }
@@ -93,20 +95,28 @@ Fitted survey_points(const AutomaticInput& input, AutomaticResult& pilot, ScaleS
 /// Fits what every sheet has of the points.
 /// @param[out] by_edge  of each node, whether it is by an edge
 Fitted fit_shares(const AutomaticInput& input, const FitSteps& steps, const ScaleSurvey& scales,
-                  Shares shares, std::vector<std::uint8_t>& by_edge, const Execution& execution) {
+                  Shares shares, AutomaticResult& result, std::vector<std::uint8_t>& by_edge,
+                  const Execution& execution) {
+  // Nodes that are shares have the very same places and normals.
+  const bool lent = !is_dense(input);
+  std::optional<LentResult> kept;
+  if (lent) kept.emplace(input, shares, result, execution);
   const std::size_t points = shares.measured.size();
   SurfaceNodes nodes =
-      is_dense(input)
-          ? merge(input, shares.measured, shares.places, shares.normals, shares.trust, execution)
-          : nodes_of_points(std::move(shares.measured), std::move(shares.places),
-                            std::move(shares.normals), std::move(shares.trust));
+      lent ? nodes_of_points(std::move(shares.measured), std::move(shares.places),
+                             std::move(shares.normals), std::move(shares.trust))
+           : merge(input, shares.measured, shares.places, shares.normals, shares.trust, execution);
   Fitted fitted{describe(input, points, nodes), steps, {}};
   by_edge = nodes_of_some(fitted.nodes, shares.by_edge);
   shares = {};
-  const NodeLevels levels(std::move(nodes), fitted.nodes.spacing, input.noise,
-                          sub_execution(execution, "fits", 0, 0.1));
+  NodeLevels levels(std::move(nodes), fitted.nodes.spacing, input.noise,
+                    sub_execution(execution, "fits", 0, 0.1));
   fitted.sheets = fit_nodes(scales, levels, by_edge, input.noise, steps, input.parts,
                             sub_execution(execution, "fits", 0.1, 1));
+  if (kept) {
+    nodes = std::move(levels).take_nodes();
+    kept->give_back(std::move(nodes.places), std::move(nodes.normals), result, execution);
+  }
   return fitted;
 }
 
@@ -156,7 +166,7 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
   if (input.parts.second_pass) {
     std::vector<std::uint8_t> by_edge;
     Fitted second = clock.time("fits", [&] {
-      return fit_shares(input, first.steps, survey, std::move(shares), by_edge,
+      return fit_shares(input, first.steps, survey, std::move(shares), result, by_edge,
                         part("fits", 0.65, 0.9));
     });
     survey = {};

@@ -60,6 +60,12 @@ std::vector<T> copy_column(std::span<const T> values, const Execution& execution
   return copy;
 }
 
+/// Gives the memory of a column back, which assigning {} does not.
+template <typename T>
+void release(std::vector<T>& column) {
+  column = std::vector<T>();
+}
+
 /// Calls put(i, k) for the k-th of the i in [0, n) that are wanted, after room(count) for all.
 template <typename Wanted, typename Room, typename Put>
 void pick(std::size_t n, const Wanted& wanted, const Room& room, const Put& put,

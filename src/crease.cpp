@@ -126,6 +126,7 @@ void CreaseFinder::find_shares(const Vec3& point, const Plane& self, std::span<c
   for (const Plane& plane : planes) {
     if (plane.meets) all[count++] = &plane;
   }
+  if (count == 1) return;  // on its own sheet it is where it landed
   Sides side{};
   for (std::size_t k = 0; k < count; ++k) {
     const Plane& plane = *all[k];
@@ -137,9 +138,7 @@ void CreaseFinder::find_shares(const Vec3& point, const Plane& self, std::span<c
     }
   }
   landing.sheet_count = count;
-  if (count > 1) {
-    set_shares(point, std::span(landing.sheets).first(count), side, scales_.noise);
-  }
+  set_shares(point, std::span(landing.sheets).first(count), side, scales_.noise);
   for (std::size_t k = 0; k < count; ++k) {
     Vec3& foot = landing.sheets[k].foot;
     for (std::size_t j = 0; j < count; ++j) {

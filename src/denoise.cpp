@@ -107,7 +107,7 @@ DenoiseResult denoise_with(const AutomaticParts& parts, PointCloud cloud,
         .merge_duplicates = !published, .local_coordinates = !published, .sweep = published};
     return make_working_set(result.cloud, how, sub_execution(execution, "order", 0, 0.02));
   });
-  if (!keep_normals) set.normals = {};
+  if (!keep_normals) release(set.normals);
   report.non_finite = set.non_finite;
   report.duplicates = set.duplicates;
   State state;

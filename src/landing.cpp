@@ -131,13 +131,6 @@ class Together {
   std::vector<Vec3> normals_;  ///< zero where points land by themselves
 };
 
-/// No farther from where it was measured than the bound.
-Vec3 bounded(const Vec3& place, const Vec3& point, double max_move) {
-  const Vec3 move = place - point;
-  const double distance = norm(move);
-  return distance > max_move ? point + (max_move / distance) * move : place;
-}
-
 /// Puts point i onto the likeliest of its sheets, and unless it is to be there as a whole,
 /// what is left of it into the block.
 void share_out(std::uint32_t i, const Landing& landing, bool whole, Shares& shares, Block& block) {
@@ -190,6 +183,12 @@ void add_others(Points points, std::span<const Block> blocks, Shares& shares,
 
 }  // namespace
 
+Vec3 bounded(const Vec3& place, const Vec3& point, double max_move) {
+  const Vec3 move = place - point;
+  const double distance = norm(move);
+  return distance > max_move ? point + (max_move / distance) * move : place;
+}
+
 void land(const AutomaticInput& input, const FittedNodes& nodes, NodeSheets sheets,
           const SheetsAround& around, AutomaticResult& result, Shares* shares,
           const Execution& execution) {
@@ -206,7 +205,7 @@ void land(const AutomaticInput& input, const FittedNodes& nodes, NodeSheets shee
     Block& block = blocks[begin / block_size];
     for (std::size_t i = begin; i < end; ++i) {
       const auto point = static_cast<std::uint32_t>(i);
-      const std::uint32_t node = nodes.of[i];
+      const std::uint32_t node = nodes.of_point(point);
       const Landing landing =
           together.holds(node)
               ? together.land(input.points[i], node)

@@ -32,13 +32,20 @@ struct SheetsAround {
 
 /// The nodes of level 0 that sheets were fitted to.
 struct FittedNodes {
-  std::vector<std::uint32_t> of;  ///< the node of each point of the input
+  std::vector<std::uint32_t> of;  ///< the node of each point of the input; empty where it is one
   std::size_t count = 0;
   double spacing = 0;
   /// Where the points of each were measured and taken to lie in the mean, for them to land
   /// together; empty for each to land by itself.
   std::vector<Vec3> measured, places, normals;
+
+  [[nodiscard]] std::uint32_t of_point(std::uint32_t point) const {
+    return of.empty() ? point : of[point];
+  }
 };
+
+/// A place, or where the way to it from where the point was measured is as long as the bound.
+Vec3 bounded(const Vec3& place, const Vec3& point, double max_move);
 
 /// Lands every point on the sheets around it: sets its place, its normal and its label.
 /// @param result  with the places so far; a point that nothing was fitted around keeps its own

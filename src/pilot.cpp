@@ -83,8 +83,8 @@ Pilot find_pilot(const AutomaticInput& input, const Execution& execution) {
   if (merge) {
     const double cell = cell_spacings * input.spacing + cell_noises * input.noise;
     nodes = merge_into_cells(input.points, input.points, {}, {}, {}, cell, 1, execution);
-    for (auto* unread : {&nodes.weights, &nodes.trust}) *unread = {};
-    nodes.normals = {};
+    for (auto* unread : {&nodes.weights, &nodes.trust}) release(*unread);
+    release(nodes.normals);
   }
   const Points measured = merge ? nodes.measured : input.points;
   const double spacing = input.spacing * std::sqrt(static_cast<double>(input.points.size()) /

@@ -65,7 +65,7 @@ Sheet SheetFitter::grow(std::uint32_t i, Scratch& scratch, const ScaleChoice& ch
   if (scratch.samples.size() < 2) return sheet;
   const double ratio = run.noise / levels_.spacing();
   const auto first = static_cast<std::size_t>(std::clamp(
-      fewest_per_noise * ratio * ratio / fine.weights[i], fewest, double{fine_neighbors}));
+      fewest_per_noise * ratio * ratio / fine.weight(i), fewest, double{fine_neighbors}));
   double area = scratch.samples.square(std::min(first, scratch.samples.size() - 1));
 
   const std::size_t largest = std::min(choice.scale, parts_.levels * level_scales - 1);

@@ -40,7 +40,7 @@ void SheetSamples::fill(std::size_t count) {
     s.height[l] = measured.x;
     s.share[l] = measured.y;
     s.measured[l] = measured.z;
-    s.weight[l] = nodes_->weights[f.index];
+    s.weight[l] = nodes_->weight(f.index);
     s.trust[l] = nodes_->trust[f.index];
     s.square[l] = f.squared_distance;
   }

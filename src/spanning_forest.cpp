@@ -45,7 +45,7 @@ class ForestFinder {
       piece_[i] = is_zero(normals_[i]) ? nothing : i;
     for (int round = 0; round < rounds; ++round) join_by_lightest();
     std::vector<Edge> rest = edges_between_pieces();
-    lightest_ = {};
+    release(lightest_);
     add_in_order(rest);
     return std::move(forest_);
   }

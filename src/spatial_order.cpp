@@ -39,7 +39,7 @@ std::vector<std::uint32_t> spatial_order(Points points, const Execution& executi
   });
   std::vector<Place> scratch;
   radix_sort<6>(std::span(places), scratch, [](const Place& p) { return p.code; }, execution);
-  scratch = {};
+  release(scratch);
   parallel_sort(places, execution, [points](const Place& a, const Place& b) {
     if (a.code != b.code) return a.code < b.code;
     const Vec3& p = points[a.index];

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -66,9 +65,6 @@ SurfaceNodes nodes_of_points(std::vector<Vec3> measured, std::vector<Vec3> place
   nodes.normals = std::move(normals);
   nodes.trust = std::move(trust);
   nodes.trust.resize(nodes.size(), 1.0);
-  nodes.weights.assign(nodes.size(), 1.0);
-  nodes.of.resize(nodes.size());
-  std::iota(nodes.of.begin(), nodes.of.end(), 0U);
   return nodes;
 }
 

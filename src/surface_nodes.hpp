@@ -17,11 +17,14 @@ struct SurfaceNodes {
   std::vector<Vec3> measured;     ///< means of the noisy positions
   std::vector<Vec3> places;       ///< means of the positions on the surface, as known so far
   std::vector<Vec3> normals;      ///< unit, or zero
-  std::vector<double> weights;    ///< numbers of points whose mean is as sure
+  std::vector<double> weights;    ///< numbers of points whose mean is as sure; empty for 1 each
   std::vector<double> trust;      ///< how surely their points are of this sheet, in (0, 1]
-  std::vector<std::uint32_t> of;  ///< the node of each point that went in
+  std::vector<std::uint32_t> of;  ///< the node of each point that went in; empty where it is one
 
   [[nodiscard]] std::size_t size() const { return places.size(); }
+  [[nodiscard]] double weight(std::size_t node) const {
+    return weights.empty() ? 1 : weights[node];
+  }
 };
 
 /// Every point as a node of its own.
