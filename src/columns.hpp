@@ -11,14 +11,19 @@
 #include <vector>
 
 #include "deburr/execution.hpp"
+#include "large_pages.hpp"
 #include "parallel.hpp"
 
 // Columns of values for every point, made and filled by all threads.
 
 namespace deburr {
 
-/// Makes room for as many values, as reserve() does, but all threads touch the memory: it takes the
-/// system longer to clear new pages, which it does when they are touched, than to fill them.
+/// Bytes of a column that is in large pages.
+inline constexpr std::size_t large_column = std::size_t{6} << 20;
+
+/// Makes room for as many values, as reserve() does, but in large pages, and all threads touch
+/// them: it takes the system longer to clear new pages, which it does when they are touched, than
+/// to fill them.
 template <typename T>
 void reserve_column(std::vector<T>& column, std::size_t size, const Execution& execution) {
   constexpr std::size_t page = 4096;
@@ -26,6 +31,8 @@ void reserve_column(std::vector<T>& column, std::size_t size, const Execution& e
   if (size <= column.capacity()) return;
   std::vector<T> larger;
   larger.reserve(size);
+  // In large pages as well, unless what they are too large for weighs more.
+  if (size * sizeof(T) >= large_column) prefer_large_pages(larger.data(), size * sizeof(T));
   // No value is there yet, so that bytes may be written.
   auto* const bytes = reinterpret_cast<volatile unsigned char*>(larger.data());
   parallel_blocks<pages_of_block>(size * sizeof(T) / page, without_progress(execution),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "columns.hpp"
 #include "lane_spectrum.hpp"
 #include "lanes.hpp"
 #include "normal_votes.hpp"
@@ -59,7 +60,7 @@ std::vector<Vec3> filter(Normals normals, const Lists& lists, const NormalFilter
   require_size("neighborhoods", lists.size(), normals.size());
   validate(options);
   const std::vector<Row> rows = make_rows(normals, execution);
-  std::vector<Vec3> filtered(normals.size());
+  auto filtered = make_column<Vec3>(normals.size(), execution);
   parallel_blocks(normals.size(), execution, [&](std::size_t begin, std::size_t end) {
     std::array<std::uint32_t, lane_count> batch{};
     NearBatch near;

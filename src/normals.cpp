@@ -5,6 +5,7 @@
 #include <array>
 #include <ranges>
 
+#include "columns.hpp"
 #include "lane_spectrum.hpp"
 #include "lanes.hpp"
 #include "parallel.hpp"
@@ -58,7 +59,7 @@ void for_least_axes(std::size_t n, const Execution& execution, const Give& give,
 std::vector<Vec3> estimate_normals(Points points, const Neighborhoods& neighborhoods,
                                    const Execution& execution) {
   require_size("neighborhoods", neighborhoods.size(), points.size());
-  std::vector<Vec3> normals(points.size());
+  auto normals = make_column<Vec3>(points.size(), execution);
   const auto covariance = [&](std::size_t i, Sym3& matrix) {
     const auto neighbors = neighborhoods[i];
     if (neighbors.size() < 2) return false;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "columns.hpp"
 #include "move_batch.hpp"
 #include "parallel.hpp"
 #include "point_move.hpp"
@@ -47,7 +48,7 @@ std::vector<Vec3> update_positions(Points original, Points points, Normals norma
   const std::vector<Row> point_rows = make_rows(points, execution);
   const std::vector<Row> normal_rows = make_rows(normals, execution);
   const Oriented cloud{point_rows.data(), normal_rows.data()};
-  std::vector<Vec3> moved(points.size());
+  auto moved = make_column<Vec3>(points.size(), execution);
   parallel_for(points.size(), execution, [&](std::size_t i) {
     SurfaceSums sums;
     if (features.label[i] == Feature::Surface) {
@@ -101,8 +102,8 @@ void sweep_batches(std::size_t count, const Batch& batch, const Lists& lists, Po
   }
 }
 
-FeatureField isolated(std::size_t count) {
-  return {std::vector<Feature>(count, Feature::Isolated), std::vector<Vec3>(count)};
+FeatureField isolated(std::size_t count, const Execution& execution) {
+  return {std::vector<Feature>(count, Feature::Isolated), make_column<Vec3>(count, execution)};
 }
 
 }  // namespace
@@ -117,7 +118,7 @@ FeatureField sweep_at_once(Points original, std::vector<Vec3>& points, Normals n
   const std::vector<Row> normal_rows = make_rows(normals, execution);
   const Oriented cloud{point_rows.data(), normal_rows.data()};
   const MoveOptions how{feature_options, options, nullptr};
-  FeatureField field = isolated(points.size());
+  FeatureField field = isolated(points.size(), execution);
   parallel_blocks(points.size(), execution, [&](std::size_t begin, std::size_t end) {
     std::array<std::uint32_t, lane_count> batch{};
     std::array<Vec3, lane_count> from{};
@@ -157,7 +158,7 @@ FeatureField sweep_in_place(Points original, std::vector<Vec3>& points, Normals 
   for (const std::uint32_t i : order) {
     require(i < points.size(), "order", "made of indices of points", i);
   }
-  FeatureField field = isolated(points.size());
+  FeatureField field = isolated(points.size(), execution);
   sweep_batches(
       order.size(), [&](std::size_t at) { return order.subspan(at, 1); }, neighborhoods, original,
       points, normals, feature_options, options, nullptr,

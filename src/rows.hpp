@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "columns.hpp"
 #include "deburr/execution.hpp"
 #include "deburr/vec3.hpp"
 #include "lanes.hpp"
@@ -25,7 +26,7 @@ struct alignas(4 * sizeof(double)) Row {
 };
 
 inline std::vector<Row> make_rows(std::span<const Vec3> values, const Execution& execution) {
-  std::vector<Row> rows(values.size());
+  auto rows = make_column<Row>(values.size(), execution);
   parallel_for(values.size(), without_progress(execution),
                [&](std::size_t i) { rows[i] = Row(values[i]); });
   return rows;

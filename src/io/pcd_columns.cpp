@@ -10,9 +10,9 @@
 #include "io/bytes.hpp"
 #include "io/colors.hpp"
 #include "io/fields.hpp"
-#include "io/large_pages.hpp"
 #include "io/scalar_type.hpp"
 #include "io/strided.hpp"
+#include "large_pages.hpp"
 
 namespace deburr {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "deburr/point_cloud.hpp"
-#include "io/large_pages.hpp"
+#include "large_pages.hpp"
 
 namespace deburr {
 

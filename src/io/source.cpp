@@ -17,8 +17,8 @@
 #include <utility>
 
 #include "deburr/error.hpp"
-#include "io/large_pages.hpp"
 #include "io/links.hpp"
+#include "large_pages.hpp"
 
 namespace deburr {
 namespace {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/large_pages.hpp"
 #include "io/numbers.hpp"
+#include "large_pages.hpp"
 
 namespace deburr {
 

@@ -5,13 +5,13 @@
 #include <algorithm>
 
 #include "io/fields.hpp"
-#include "io/large_pages.hpp"
 #include "io/lines.hpp"
 #include "io/numbers.hpp"
 #include "io/text.hpp"
 #include "io/text_column.hpp"
 #include "io/text_shape.hpp"
 #include "io/text_split.hpp"
+#include "large_pages.hpp"
 
 namespace deburr {
 namespace {

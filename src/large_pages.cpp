@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The deburr authors
 // SPDX-License-Identifier: Apache-2.0
-#include "io/large_pages.hpp"
+#include "large_pages.hpp"
 
 #include <sys/mman.h>
 
