@@ -120,7 +120,7 @@ Fitted fit_shares(const AutomaticInput& input, const FitSteps& steps, const Scal
   return fitted;
 }
 
-/// What the pilot found to be of no surface stays where it was measured.
+/// What neither the pilot nor fits found to be of any surface stays where it was measured.
 void keep_lone(const AutomaticInput& input, std::span<const std::uint8_t> lone,
                AutomaticResult& result) {
   for (std::size_t i = 0; i < lone.size(); ++i) {
@@ -160,7 +160,7 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
   Shares shares;
   clock.time("landing", [&] {
     land(input, first.nodes, std::move(first.sheets), {first.steps.survey, first.steps.around, {}},
-         result, &shares, part("landing", 0.6, 0.65));
+         lone, result, &shares, part("landing", 0.6, 0.65));
     return 0;
   });
   if (input.parts.second_pass) {
@@ -172,7 +172,7 @@ AutomaticResult denoise_automatically(const AutomaticInput& input, StageClock& c
     survey = {};
     clock.time("landing", [&] {
       land(input, second.nodes, std::move(second.sheets),
-           {second.steps.even, second.steps.around, by_edge}, result, nullptr,
+           {second.steps.even, second.steps.around, by_edge}, lone, result, nullptr,
            part("landing", 0.9, 1));
       return 0;
     });

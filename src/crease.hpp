@@ -20,6 +20,7 @@ struct Landing {
   Vec3 place;
   Vec3 normal;
   Feature label = Feature::Surface;
+  bool fitted = true;  ///< whether there was a sheet for it
   /// The sheets that it may be of: its own and those that meet it.
   std::array<CutSheet, most_sheets> sheets{};
   std::size_t sheet_count = 1;

@@ -75,15 +75,17 @@ class Lander {
     if (input_.parts.surer_sheet) {
       own = surer_sheet(point, own, near, sheets_, input_.noise);
     }
-    if (own == SheetSet::none) return on_one_sheet(place, normal);
+    // Without a fit the place so far is the best that is known.
+    Landing unfitted = on_one_sheet(place, normal);
+    unfitted.fitted = false;
+    if (own == SheetSet::none) return unfitted;
     const Found alone{0, own};
     const std::span<const Found> some =
         input_.parts.blend ? std::span<const Found>(near) : std::span(&alone, 1);
     const Blend blend = blend_sheets(point, place, own, some, sheets_, scales_);
-    const bool fitted = blend.valid && is_finite(blend.foot);
-    if (fitted && input_.parts.creases) return finder_.land(point, blend, own, near);
-    // Without a fit the place so far is the best that is known.
-    return fitted ? on_one_sheet(blend.foot, blend.normal) : on_one_sheet(place, normal);
+    if (!blend.valid || !is_finite(blend.foot)) return unfitted;
+    if (input_.parts.creases) return finder_.land(point, blend, own, near);
+    return on_one_sheet(blend.foot, blend.normal);
   }
 
  private:
@@ -190,8 +192,8 @@ Vec3 bounded(const Vec3& place, const Vec3& point, double max_move) {
 }
 
 void land(const AutomaticInput& input, const FittedNodes& nodes, NodeSheets sheets,
-          const SheetsAround& around, AutomaticResult& result, Shares* shares,
-          const Execution& execution) {
+          const SheetsAround& around, std::span<std::uint8_t> lone, AutomaticResult& result,
+          Shares* shares, const Execution& execution) {
   const std::size_t count = input.points.size();
   if (shares != nullptr) *shares = room_for(input, execution);
   std::vector<Block> blocks((count + block_size - 1) / block_size);
@@ -213,6 +215,8 @@ void land(const AutomaticInput& input, const FittedNodes& nodes, NodeSheets shee
       result.points[i] = bounded(landing.place, input.points[i], input.max_move);
       result.normals[i] = landing.normal;
       result.labels[i] = landing.label;
+      const bool in_reach = norm(landing.place - input.points[i]) <= input.max_move;
+      if (landing.fitted && in_reach) lone[i] = 0;
       if (landing.label != Feature::Surface) {
         block.edges.push_back({point, landing.sheets, landing.sheet_count});
       }

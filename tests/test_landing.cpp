@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The deburr authors
 // SPDX-License-Identifier: Apache-2.0
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,8 @@ struct Bench {
   std::vector<Sheet> sheets;
   std::size_t step = 1;   ///< one of so many nodes is of the even choice
   bool together = false;  ///< whether points land with the others of their node, of which none has
-  bool by_edge = false;   ///< whether the others have sheets as well, and all points look at them
+  mutable std::vector<std::uint8_t> lone;  ///< of the last landing; before it, all are
+  bool by_edge = false;  ///< whether the others have sheets as well, and all points look at them
 
   explicit Bench(unsigned seed = 1) {
     Random random(seed);
@@ -69,7 +70,8 @@ struct Bench {
     }
     const std::vector<std::uint8_t> all(by_edge ? size() : 0, 1);
     Shares shares;
-    deburr::land(input, nodes, std::move(fitted), {step, 100, all}, result, &shares,
+    lone.assign(size(), 1);
+    deburr::land(input, nodes, std::move(fitted), {step, 100, all}, lone, result, &shares,
                  {.threads = threads});
     return shares;
   }
@@ -154,6 +156,18 @@ TEST(Landing, MovesNoPointFartherThanTheBound) {
     most = std::max(most, norm(result.points[i] - bench.measured[i]));
   }
   EXPECT_NEAR(most, 0.1 * sigma, 1e-12);
+}
+
+TEST(Landing, TellsWhichPointsHaveNoSheetWithinTheBound) {
+  Bench bench;
+  const std::size_t far = 5;
+  bench.measured[far] = bench.truth.points[far] + Vec3{8 * sigma, 0, 8 * sigma};
+  AutomaticResult result;
+  bench.land(result, 6 * sigma);
+  for (std::size_t i = 0; i < bench.size(); ++i) EXPECT_EQ(bench.lone[i], i == far ? 1 : 0) << i;
+  for (Sheet& sheet : bench.sheets) sheet.valid = false;
+  bench.land(result);
+  EXPECT_THAT(bench.lone, testing::Each(1));
 }
 
 TEST(Landing, LeavesPointsWithoutAFitWhereTheyWere) {
