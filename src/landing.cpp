@@ -76,14 +76,17 @@ class Lander {
       own = surer_sheet(point, own, near, sheets_, input_.noise);
     }
     // Without a fit the place so far is the best that is known.
-    Landing unfitted = on_one_sheet(place, normal);
-    unfitted.fitted = false;
-    if (own == SheetSet::none) return unfitted;
+    const auto unfitted = [&] {
+      Landing landing = on_one_sheet(place, normal);
+      landing.fitted = false;
+      return landing;
+    };
+    if (own == SheetSet::none) return unfitted();
     const Found alone{0, own};
     const std::span<const Found> some =
         input_.parts.blend ? std::span<const Found>(near) : std::span(&alone, 1);
     const Blend blend = blend_sheets(point, place, own, some, sheets_, scales_);
-    if (!blend.valid || !is_finite(blend.foot)) return unfitted;
+    if (!blend.valid || !is_finite(blend.foot)) return unfitted();
     if (input_.parts.creases) return finder_.land(point, blend, own, near);
     return on_one_sheet(blend.foot, blend.normal);
   }
