@@ -173,7 +173,7 @@ void add_others(Points points, std::span<const Block> blocks, Shares& shares,
   std::vector<std::size_t> begins{shares.places.size()};
   for (const Block& block : blocks) begins.push_back(begins.back() + block.others.size());
   resize_columns(shares, begins.back(), execution);
-  parallel_for(blocks.size(), without_progress(execution), [&](std::size_t b) {
+  parallel_for<1>(blocks.size(), without_progress(execution), [&](std::size_t b) {
     std::size_t at = begins[b];
     for (const Other& other : blocks[b].others) {
       shares.measured[at] = points[other.point];

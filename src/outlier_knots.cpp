@@ -148,7 +148,7 @@ Knots::Trial Knots::try_out(const Execution& execution) const {
   const std::size_t places = begins.size() - 1;
   std::vector<double> radii(places);
   std::vector<double> distances(place_points * places);
-  const auto look = [&](std::size_t s) {
+  parallel_for<places_of_block>(places, execution, [&](std::size_t s) {
     // The first points of a range are of one leaf, and near to each other.
     const auto first =
         order.subspan(begins[s], std::min<std::size_t>(place_points, begins[s + 1] - begins[s]));
@@ -161,9 +161,6 @@ Knots::Trial Knots::try_out(const Execution& execution) const {
       const Vec3& point = points_[first[k % first.size()]];
       distances[place_points * s + k] = foot_on(patch, point).distance;
     }
-  };
-  parallel_blocks<places_of_block>(places, execution, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t s = begin; s < end; ++s) look(s);
   });
   Trial trial;
   trial.noise = spread(distances);

@@ -76,7 +76,7 @@ void RoughSurface::fit_cells(const Execution& execution) {
   resize_column(centers_, cells_.size(), quiet);
   resize_column(cell_, points_.size(), quiet);
   resize_column(distance_, points_.size(), quiet);
-  const auto fit = [&](std::size_t c) {
+  parallel_for<cells_of_block>(cells_.size(), execution, [&](std::size_t c) {
     Cell& cell = cells_[c];
     const auto members = order.subspan(begins[c], begins[c + 1] - begins[c]);
     const Vec3& middle = points_[middle_point(points_, members)];
@@ -93,11 +93,7 @@ void RoughSurface::fit_cells(const Execution& execution) {
     }
     cell.noise = spread(distances);
     centers_[c] = foot_on(cell.patch, middle).at;
-  };
-  parallel_blocks<cells_of_block>(cells_.size(), execution,
-                                  [&](std::size_t begin, std::size_t end) {
-                                    for (std::size_t c = begin; c < end; ++c) fit(c);
-                                  });
+  });
   center_tree_ = std::make_unique<KdTree>(centers_, execution);
 }
 

@@ -145,10 +145,10 @@ void parallel_blocks(std::size_t n, const Execution& execution, const Body& body
   if (execution.progress && told < tasks) execution.progress({"", 1.0});
 }
 
-/// Calls body(i) for every i in [0, n).
-template <typename Body>
+/// Calls body(i) for every i in [0, n). Items that are much work each are worth smaller blocks.
+template <std::size_t size = block_size, typename Body>
 void parallel_for(std::size_t n, const Execution& execution, const Body& body) {
-  parallel_blocks(n, execution, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks<size>(n, execution, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) body(i);
   });
 }

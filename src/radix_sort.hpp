@@ -34,7 +34,7 @@ void radix_sort(std::span<Item> items, std::vector<Item>& scratch, const Key& ke
   for (unsigned d = 0; d < digits; ++d) {
     const auto digit = [&](const Item& item) { return (key(item) >> (d * radix_bits)) % values; };
     const auto for_each_chunk = [&](const auto& visit) {
-      parallel_blocks<1>(places.size(), quiet, [&](std::size_t c, std::size_t) {
+      parallel_for<1>(places.size(), quiet, [&](std::size_t c) {
         visit(from.subspan(c * chunk, std::min(chunk, from.size() - c * chunk)), places[c]);
       });
     };

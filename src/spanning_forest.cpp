@@ -76,7 +76,7 @@ class ForestFinder {
   void for_each_part(const Visit& visit) const {
     const std::size_t n = piece_.size();
     const std::size_t parts = lightest_.size();
-    parallel_blocks<1>(parts, quiet_, [&](std::size_t k, std::size_t) {
+    parallel_for<1>(parts, quiet_, [&](std::size_t k) {
       visit(k, static_cast<std::uint32_t>(k * n / parts),
             static_cast<std::uint32_t>((k + 1) * n / parts));
     });
