@@ -142,6 +142,8 @@ void parallel_blocks(std::size_t n, const Execution& execution, const Body& body
         },
         tbb::simple_partitioner());
   });
+  // What was asked for when the last blocks were under way is heard here, not by the next loop.
+  check_cancelled(execution);
   if (execution.progress && told < tasks) execution.progress({"", 1.0});
 }
 

@@ -6,12 +6,14 @@
 #include <atomic>
 #include <filesystem>
 #include <string>
+#include <thread>
 
 #include "deburr/denoise.hpp"
 #include "deburr/error.hpp"
 #include "deburr/io.hpp"
 #include "deburr/orientation.hpp"
 #include "deburr/synth.hpp"
+#include "parallel.hpp"
 #include "support/shapes.hpp"
 #include "support/temp_dir.hpp"
 
@@ -53,7 +55,8 @@ TEST_F(Cancel, EndsTheRunFromEveryCallOfProgress) {
     int calls = 0;
     int stop_at = 0;
     std::atomic<bool> stop = false;
-    const Execution execution{.threads = 2,
+    // One thread, since several do not tell as often in every run.
+    const Execution execution{.threads = 1,
                               .progress = [&](const Progress&) { stop = ++calls == stop_at; },
                               .cancelled = [&] { return stop.load(); }};
     (void)denoise(read_cloud(path), options, execution);
@@ -67,6 +70,31 @@ TEST_F(Cancel, EndsTheRunFromEveryCallOfProgress) {
       expect_untouched();
     }
   }
+}
+
+// Where the other threads are busy with the last blocks, and nobody takes another one.
+TEST(CancelBlocks, IsHeardWhileTheLastAreUnderWay) {
+  std::atomic<bool> stop = false;
+  std::atomic<int> begun = 0;
+  int told = 0;
+  const auto caller = std::this_thread::get_id();
+  const Execution execution{.threads = 2,
+                            .progress =
+                                [&](const Progress&) {
+                                  ++told;
+                                  stop = true;
+                                },
+                            .cancelled = [&] { return stop.load(); }};
+  const auto body = [&](std::size_t, std::size_t) {
+    // Neither ends before both have begun.
+    ++begun;
+    while (begun < 2) std::this_thread::yield();
+    if (std::this_thread::get_id() != caller) {
+      while (!stop) std::this_thread::yield();
+    }
+  };
+  EXPECT_THROW(parallel_blocks(2 * block_size, execution, body), Cancelled);
+  EXPECT_EQ(told, 1);
 }
 
 // Also between calls of progress. Sorts by several threads ask by chance, so there is one.
