@@ -202,8 +202,10 @@ void land(const AutomaticInput& input, const FittedNodes& nodes, NodeSheets shee
   std::vector<Block> blocks((count + block_size - 1) / block_size);
   const SheetSet set(std::move(sheets), nodes.count, execution);
   const Lander lander(input, nodes, set, around);
-  const Together together(nodes, lander, execution);
-  parallel_blocks(count, execution, [&](std::size_t begin, std::size_t end) {
+  // Those of the nodes, if there are any, take as long as those of the points.
+  const Together together(nodes, lander, sub_execution(execution, "landing", 0, 0.5));
+  const Execution rest = sub_execution(execution, "landing", 0.5, 1);
+  parallel_blocks(count, rest, [&](std::size_t begin, std::size_t end) {
     Lander::Scratch scratch;
     scratch.of_even.expect(Points(result.points).subspan(begin, end - begin));
     scratch.of_all.expect(Points(result.points).subspan(begin, end - begin));
@@ -231,7 +233,7 @@ void land(const AutomaticInput& input, const FittedNodes& nodes, NodeSheets shee
   for (const Block& block : blocks) {
     edges.insert(edges.end(), block.edges.begin(), block.edges.end());
   }
-  label_corners(edges, result.points, input.spacing, result.labels, execution);
+  label_corners(edges, result.points, input.spacing, result.labels, without_progress(execution));
 }
 
 }  // namespace deburr

@@ -82,8 +82,10 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
     // The far end of the box belongs to the last cell.
     return static_cast<std::uint64_t>(std::min((v - low) * per_length, count - 1));
   };
-  auto keys = make_column<Key>(places.size(), execution);
-  parallel_for(keys.size(), execution, [&](std::size_t i) {
+  // Too short for a share of the progress; to tell the caller's for each loop would go back.
+  const Execution quiet = without_progress(execution);
+  auto keys = make_column<Key>(places.size(), quiet);
+  parallel_for(keys.size(), quiet, [&](std::size_t i) {
     const Vec3& p = places[i];
     const std::uint64_t x = along(p.x, box.low.x);
     const std::uint64_t y = along(p.y, box.low.y);
@@ -93,23 +95,23 @@ SurfaceNodes merge_into_cells(Points measured, Points places, Normals normals,
                static_cast<std::uint32_t>(cube), normals.empty() ? 0 : part_of(normals[i], bins),
                static_cast<std::uint32_t>(i)};
   });
-  parallel_sort(keys, execution);
+  parallel_sort(keys, quiet);
   std::vector<std::uint32_t> begins;
   pick(
       keys.size(), [&](std::size_t k) { return k == 0 || !keys[k].same_node(keys[k - 1]); },
       [&](std::size_t nodes) { begins.resize(nodes); },
       [&](std::size_t k, std::size_t node) { begins[node] = static_cast<std::uint32_t>(k); },
-      execution);
+      quiet);
 
   SurfaceNodes nodes;
-  resize_column(nodes.of, places.size(), execution);
+  resize_column(nodes.of, places.size(), quiet);
   for (auto* column : {&nodes.measured, &nodes.places, &nodes.normals}) {
-    resize_column(*column, begins.size(), execution);
+    resize_column(*column, begins.size(), quiet);
   }
   for (auto* column : {&nodes.weights, &nodes.trust}) {
-    resize_column(*column, begins.size(), execution);
+    resize_column(*column, begins.size(), quiet);
   }
-  parallel_for(begins.size(), execution, [&](std::size_t node) {
+  parallel_for(begins.size(), quiet, [&](std::size_t node) {
     Vec3 measured_sum;
     Vec3 place_sum;
     Vec3 normal_sum;

@@ -158,16 +158,25 @@ TEST(Denoise, TakesNormalsFromWhereItIsTold) {
 }
 
 TEST(Denoise, TellsProgressOnTheCallersThread) {
-  for (const DenoiseOptions& options : both_methods) {
+  // By points, by nodes of several, and with noise that is not the same everywhere.
+  const std::vector<Vec3> points = sphere(600, 3).points;
+  const auto scan = [&](double noise) { return cloud_of(with_noise(points, noise, 4)); };
+  std::vector<Vec3> two = with_noise(points, 0.01, 5);
+  for (const Vec3& p : with_noise(points, 0.07, 6)) two.push_back(p + Vec3{4, 0, 0});
+  const std::array scans{scan(0.01), scan(0.03), scan(0.1), cloud_of(two)};
+  for (std::size_t k = 0; k <= scans.size(); ++k) {
+    const DenoiseOptions options{.method = k > 0 ? Method::Auto : Method::Yadav2018};
     std::vector<double> told{0};
-    const Execution execution{
-        .threads = 2, .progress = [&, me = std::this_thread::get_id()](const Progress& progress) {
-          EXPECT_EQ(std::this_thread::get_id(), me);
-          EXPECT_GE(progress.fraction, told.back()) << progress.stage;
-          EXPECT_FALSE(progress.stage.empty());
-          told.push_back(progress.fraction);
-        }};
-    (void)denoise(noisy_sphere(), options, execution);
+    const Execution execution{.threads = 2,
+                              .progress =
+                                  [&, me = std::this_thread::get_id()](const Progress& progress) {
+                                    EXPECT_EQ(std::this_thread::get_id(), me);
+                                    EXPECT_GE(progress.fraction, told.back()) << progress.stage;
+                                    EXPECT_FALSE(progress.stage.empty());
+                                    told.push_back(progress.fraction);
+                                  },
+                              .block = 20};
+    (void)denoise(scans[k % scans.size()], options, execution);
     EXPECT_GT(told.size(), 10U);
     EXPECT_GT(told.back(), 0.95);
     EXPECT_LE(told.back(), 1 + 1e-12);
