@@ -59,7 +59,7 @@ NoiseLevels levels_of(LocalNoiseField& field, double strength, const Execution& 
     return find_noise_levels(sigma, least);
   };
   // Single places tell whether it is worth asking for every point.
-  if (levels(field.sigma_at_places(execution)).sigma.empty()) return {};
+  if (levels(field.sigma_at_places(without_progress(execution))).sigma.empty()) return {};
   return levels(field.at_points(execution).sigma);
 }
 
@@ -76,7 +76,7 @@ std::optional<AutomaticResult> run_on_surface(const AutoOptions& options,
     LocalNoiseField field(set_of_distinct(copy_column(Points(set.points), execution)),
                           sub_execution(execution, "noise", 0.15, 0.22));
     const Execution rest = sub_execution(execution, "noise", 0.22, 0.25);
-    report.spacing = set.length(field.neighbor_distance(spacing_neighbors, rest));
+    report.spacing = set.length(field.neighbor_distance(spacing_neighbors, without_progress(rest)));
     estimate = field.overall();
     if (!(options.noise > 0) && parts.noise_levels) levels = levels_of(field, strength, rest);
     return 0;
