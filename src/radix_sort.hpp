@@ -53,7 +53,7 @@ void radix_sort(std::span<Item> items, std::vector<Item>& scratch, const Key& ke
   }
   if (digits % 2 == 0) return;
   parallel_blocks(items.size(), quiet, [&](std::size_t begin, std::size_t end) {
-    std::copy(from.begin() + begin, from.begin() + end, to.begin() + begin);
+    std::ranges::copy(from.subspan(begin, end - begin), to.subspan(begin).begin());
   });
 }
 

@@ -36,7 +36,7 @@ class ForestFinder {
         pieces_(pieces),
         quiet_(without_progress(execution)),
         piece_(normals.size()),
-        lightest_(std::min(thread_count(execution), most_parts)) {
+        lightest_(static_cast<std::size_t>(std::min(thread_count(execution), most_parts))) {
     forest_.reserve(normals.size());
   }
 

@@ -18,7 +18,8 @@ struct Progress {
 struct Execution {
   /// Number of threads, 0 to 256; 0 uses every core that the process may run on.
   int threads = 0;
-  /// Called on the caller's thread between steps of the work; may throw to stop it.
+  /// Called on the caller's thread between steps of the work, while other threads are at it; may
+  /// throw to stop it. Must not begin work of oneTBB, whose waits would take up that of here.
   std::function<void(const Progress&)> progress{};
   /// Asked often, several times in a tenth of a second for a million points, and from several
   /// threads at once; true stops the work, which throws Cancelled.
