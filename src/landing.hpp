@@ -48,8 +48,8 @@ struct FittedNodes {
 Vec3 bounded(const Vec3& place, const Vec3& point, double max_move);
 
 /// Lands every point on the sheets around it: sets its place, its normal and its label.
-/// @param lone  whether each point seems to be of no surface; no longer where there is a sheet for it
-///              within the bound
+/// @param lone  whether each point seems to be of no surface; no longer where there is a sheet for
+///              it within the bound
 /// @param result  with the places so far; a point that nothing was fitted around keeps its own
 /// @param shares  if wanted: on which sheets each point may be
 void land(const AutomaticInput& input, const FittedNodes& nodes, NodeSheets sheets,

@@ -38,7 +38,8 @@ std::vector<std::uint32_t> spatial_order(Points points, const Execution& executi
                  static_cast<std::uint32_t>(i)};
   });
   std::vector<Place> scratch;
-  radix_sort<6>(std::span(places), scratch, [](const Place& p) { return p.code; }, execution);
+  radix_sort<6>(
+      std::span(places), scratch, [](const Place& p) { return p.code; }, execution);
   release(scratch);
   parallel_sort(places, execution, [points](const Place& a, const Place& b) {
     if (a.code != b.code) return a.code < b.code;
