@@ -11,7 +11,7 @@
 namespace deburr::cli {
 
 /// Has the C library give coordinates of so many points back to the system when they are freed. It
-/// comes to keep blocks up to 32 MB for itself, and a third of the memory of a run with them. To
+/// comes to keep blocks up to 32 MB for itself, and a quarter of the memory of a run with them. To
 /// keep none at all takes more time than that is worth.
 inline void give_memory_back([[maybe_unused]] std::size_t points) {
 #ifdef __GLIBC__
