@@ -3,7 +3,6 @@
 #include "surface_nodes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 #include <utility>
